@@ -1,0 +1,46 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// One thing wrong with what the user gave: what, where, what was expected, how to mend it.
+  struct InputProblem
+  {
+    std::string where;    ///< file, and path of the parameter inside it ("scene.xml: time/step")
+    std::string what;     ///< what is wrong, with the offending value
+    std::string expected; ///< what would have been right (type, range, unit); may be empty
+    std::string hint;     ///< how to mend it, e.g. the nearest valid name; may be empty
+  };
+
+  /// Invalid input: the program ends with exit code 2 and prints every problem.
+  class InputError : public std::runtime_error
+  {
+  public:
+    explicit InputError(std::vector<InputProblem> problems);
+    explicit InputError(InputProblem problem);
+
+    const std::vector<InputProblem> &problems() const { return problems_; }
+
+  private:
+    std::vector<InputProblem> problems_;
+  };
+
+  /// A solve that cannot go on: the program ends with exit code 3, after closing all outputs.
+  class SolveError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
+  /// Exit codes of the program.
+  enum class ExitCode
+  {
+    done           = 0,
+    internal_error = 1,
+    invalid_input  = 2,
+    solve_failed   = 3
+  };
+} // namespace myolines

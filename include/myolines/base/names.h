@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// The entry of @p candidates with the smallest edit distance to @p name, or "" if none is near
+  /// (more than half of the name would have to change).
+  std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
+
+  /// "a, b, c".
+  std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
+} // namespace myolines

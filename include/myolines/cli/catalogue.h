@@ -1,0 +1,50 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+#include <myolines/system/ledger.h>
+#include <myolines/system/semi_discrete_system.h>
+#include <myolines/time/loop.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// A system as a scene describes it.
+  struct AssembledSystem
+  {
+    std::unique_ptr<SemiDiscreteSystem> system;
+
+    /// Observers for the list `output`; they refer to the system.
+    std::function<std::vector<std::unique_ptr<Observer>>(const scene::Node &output, const std::filesystem::path &folder)> make_outputs;
+
+    std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
+    std::vector<std::string> warnings; ///< valid, but probably not what is wanted
+  };
+
+  /// What a kind of system brings to scenes, help and templates.
+  struct SystemEntry
+  {
+    std::string                                                        name;   ///< value of system/type
+    scene::Schema                                                      schema; ///< of the list `system`
+    scene::Schema                                                      output; ///< of the list `output`
+    std::vector<scene::Setting>                                        example; ///< a small scene, without the integrator
+    std::vector<scene::Setting>                                        without_inertia; ///< turns the example quasi-static; empty if it cannot be
+    std::function<AssembledSystem(const scene::Node &, WorkLedger &)> make;
+  };
+
+  /// All systems, in the order of `myolines list systems`. A new system is one more entry here.
+  const std::vector<SystemEntry> &system_catalogue();
+
+  /// @throws InputError with the nearest valid name; @p where is the place of the name.
+  const SystemEntry &system_entry(const std::string &name, const std::string &where);
+
+  /// The whole scene with the outputs of @p system.
+  scene::Schema root_schema(const SystemEntry &system);
+
+  /// Reads and validates @p file. The outputs that a scene may ask for depend on its system/type, which is looked at first.
+  scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides);
+} // namespace myolines

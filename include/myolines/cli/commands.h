@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  // The commands of the program, one function each. They print to @p out (rank 0 only has a real one) and throw
+  // InputError and SolveError.
+
+  struct RunOptions
+  {
+    std::filesystem::path    scene;
+    std::filesystem::path    folder; ///< empty: results/<name of the scene without extension>
+    std::vector<std::string> overrides;
+    bool                     quiet = false;
+    std::string              command_line; ///< for the manifest
+  };
+  void run_command(const RunOptions &options, std::ostream &out);
+
+  /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps.
+  void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out);
+
+  /// The words `list` accepts.
+  std::vector<std::string> list_topics();
+  /// All items of a topic with a sentence each, or, with a @p name, everything about that one.
+  void list_command(const std::string &topic, const std::string &name, std::ostream &out);
+
+  /// Prints a complete commented scene; @p integrator may be empty.
+  void template_command(const std::string &system, const std::string &integrator, std::ostream &out);
+} // namespace myolines

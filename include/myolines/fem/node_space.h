@@ -1,0 +1,62 @@
+#pragma once
+
+#include <myolines/algebra/vector.h>
+
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace myolines
+{
+  /// Fills @p mesh with a box of size[d] [m] from the origin, cells[d] coarse cells, refined globally. Boundary ids 0..5 are
+  /// the faces x-, x+, y-, y+, z-, z+.
+  void make_block(dealii::parallel::distributed::Triangulation<3> &mesh,
+                  const std::array<double, 3> &                    size,
+                  const std::array<unsigned int, 3> &              cells,
+                  unsigned int                                     refinement);
+
+  /// Continuous Lagrange nodes of degree k on a hexahedral mesh, three displacement components each. The unknown of
+  /// component c at node n has number 3 n + c, for every degree, so the components of a node always stand together.
+  class NodeSpace
+  {
+  public:
+    using Mesh = dealii::parallel::distributed::Triangulation<3>;
+    using Cell = dealii::DoFHandler<3>::active_cell_iterator;
+
+    /// @p mesh must outlive the space.
+    NodeSpace(const Mesh &mesh, unsigned int degree);
+
+    const dealii::DoFHandler<3> &nodes() const { return nodes_; }
+    MPI_Comm                     communicator() const { return nodes_.get_communicator(); }
+    const dealii::IndexSet &     owned_unknowns() const { return owned_; }
+    const dealii::IndexSet &     relevant_unknowns() const { return relevant_; }
+    unsigned int                 degree() const { return degree_; }
+
+    /// A zero vector over all unknowns, ghosted.
+    Vector make_vector() const { return Vector(partitioner_); }
+    const dealii::Utilities::MPI::Partitioner &partitioner() const { return *partitioner_; }
+
+    /// Global node numbers of @p cell in lexicographic order.
+    void cell_nodes(const Cell &cell, std::vector<dealii::types::global_dof_index> &numbers) const;
+
+    /// Global numbers of the nodes on boundary face @p id that this rank owns or sees, ascending.
+    std::vector<dealii::types::global_dof_index> face_nodes(dealii::types::boundary_id id) const;
+
+    /// Reference position of a relevant node [m].
+    const dealii::Point<3> &node_position(dealii::types::global_dof_index node) const;
+
+  private:
+    unsigned int                                               degree_;
+    dealii::FE_Q<3>                                            element_;
+    dealii::DoFHandler<3>                                      nodes_;
+    std::vector<unsigned int>                                  lexicographic_; ///< FE_Q number of each lexicographic node
+    dealii::IndexSet                                           relevant_nodes_;
+    dealii::IndexSet                                           owned_, relevant_;
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
+    std::vector<dealii::Point<3>>                              positions_;
+  };
+} // namespace myolines

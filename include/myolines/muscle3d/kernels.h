@@ -1,0 +1,85 @@
+#pragma once
+
+#include <myolines/base/lanes.h>
+#include <myolines/materials/tissue.h>
+
+#include <cstddef>
+
+namespace myolines
+{
+  // Cell kernels of the 3D muscle, on batches of n_lanes cells. Plain data only: the same source is compiled for several
+  // instruction sets, and nothing of a heavy library may be compiled with a wide one.
+
+  /// Tables of the element (see Element); borrowed.
+  struct KernelTables
+  {
+    int           n_points_1d;
+    int           n_modes;
+    const double *value;      ///< [n_points_1d][n_nodes_1d]
+    const double *derivative; ///< [n_points_1d][n_nodes_1d]
+    const double *weight;     ///< [n_points_1d^3]
+    const double *modes;      ///< [n_points_1d^3][n_modes]
+  };
+
+  /// The physics of a batch at one instant.
+  struct KernelModel
+  {
+    TissueParameters tissue;
+    double           fibre_direction[3]; ///< a0, unit
+    double           activation;
+    bool             active;        ///< active stress takes part
+    bool             rate;          ///< ... and depends on the strain rate
+    bool             inertia;       ///< M a takes part
+    bool             exact_tangent; ///< else its symmetric part
+  };
+
+  /// One batch of cells (see CellBatches); borrowed.
+  struct KernelCells
+  {
+    const unsigned int *nodes;             ///< [n_nodes][n_lanes]
+    const double *      geometry;          ///< per point 9 + 1 lanes
+    unsigned int        geometry_stride;   ///< doubles between points, 0 if affine
+    const double *      inverse_mode_mass; ///< [n_modes][n_modes] lanes
+    int                 n_filled;
+  };
+
+  /// State of one batch at its Gauss points, one lane per cell: what measurements and fields are made of.
+  enum PointValue
+  {
+    point_F            = 0,  ///< 9: deformation gradient, row by row
+    point_F_rate       = 9,  ///< 9: its time derivative [1/s]
+    point_displacement = 18, ///< 3 [m]
+    point_velocity     = 21, ///< 3 [m/s]
+    point_pressure     = 24, ///< p_h [Pa]
+    point_dilatation   = 25, ///< D_h
+    point_JxW          = 26, ///< weight times det(dX/dxi) [m^3]
+    n_point_values     = 27
+  };
+
+  /// The kernels for one instruction set and one degree. u, v, a, x, y, r are the local arrays of vectors (ghosts
+  /// included); scratch is aligned storage of scratch_size(n_points_1d, n_modes) doubles.
+  struct Kernels
+  {
+    /// r += R(u, v, a) without external loads. False if det F <= 0, D_h <= 0 or NaN anywhere in the batch; r is then unchanged.
+    bool (*residual)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, const double *a, double *r, double *scratch);
+
+    /// y += (w_u K + w_v C + w_a M) x at the state (u, v).
+    void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u, const double *v, const double *x, double *y, double *scratch);
+
+    /// matrices = w_u K + w_v C + w_a M at (u, v): [9][n_nodes][n_nodes] lanes, block (a, c) at 3 a + c.
+    void (*element_matrices)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u, const double *v, double *matrices, double *scratch);
+
+    /// values: [n_points][n_point_values] lanes. Velocity may be nullptr (then rates are zero).
+    void (*points)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *values, double *scratch);
+
+    std::size_t (*scratch_size)(int n_points_1d, int n_modes);
+  };
+
+  /// Kernels of degree 1..3 for an instruction set that this processor has.
+  const Kernels &kernels(InstructionSet instruction_set, unsigned int degree);
+
+  /// The widest instruction set of this processor that kernels are compiled for.
+  InstructionSet widest_instruction_set();
+
+  const char *name(InstructionSet instruction_set); ///< "baseline", "AVX2", "AVX-512"
+} // namespace myolines

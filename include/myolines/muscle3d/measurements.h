@@ -1,0 +1,98 @@
+#pragma once
+
+#include <myolines/muscle3d/muscle3d_system.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// A quantity split by the part of the stress it comes from.
+  template <typename T>
+  struct Parts
+  {
+    T volumetric{};
+    T muscle_active{};
+    T muscle_passive{};
+    T muscle_base{};
+
+    T isochoric() const { return muscle_active + muscle_passive + muscle_base; }
+    T total() const { return volumetric + isochoric(); }
+  };
+
+  /// Which points the slab averages use: X_1 in [3/8 L, 5/8 L].
+  enum class SlabRule
+  {
+    quadrature_points, ///< by quadrature point, (6.2.20)
+    whole_cells        ///< by cell centre with an exact comparison, as the peer
+  };
+
+  /// Integrals over the body at one state. Energies of the true balance are in joules; work-like densities (6.2.3)-(6.2.11) are in J/m^3 of current volume.
+  struct BodyMeasures
+  {
+    double        volume         = 0; ///< current [m^3]
+    double        kinetic        = 0; ///< [J]
+    double        stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
+    double        stored_base       = 0; ///< int Yeoh energy [J]
+    double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam [J]
+    double        active_power      = 0; ///< work rate the active stress would do isometrically, - int sigma0 a sA lam-dot/lam [W], positive while fibres shorten
+    double        dissipation       = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0 [W]
+    double        body_force_power  = 0; ///< [W]
+    double        traction_power    = 0; ///< [W]
+    Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
+
+    double                slab_volume           = 0; ///< current [m^3]
+    double                mean_stretch          = 0; ///< (6.2.22), |F a0|
+    double                mean_pennation        = 0; ///< (6.2.25) [degree]
+    double                mean_strain_rate      = 0; ///< (6.2.21), non-dimensional, d|F a0|/dt / e0
+    dealii::Tensor<1, 3>  mean_velocity;             ///< (6.2.19) [m/s]
+
+    double l2_displacement = 0; ///< [m^2.5]
+    double l2_pressure     = 0; ///< [Pa m^1.5]
+    double min_jacobian    = 0; ///< smallest det F at a quadrature point
+    double max_jacobian    = 0;
+  };
+  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule);
+
+  /// Estimate (6.2.15) of the force that acts on @p face (0..5) from the quadrature points of the cell nearest to it [N].
+  Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);
+
+  /// Force with which each boundary condition that prescribes motion pulls on the muscle: the residual summed over its
+  /// components [N], in the order of the scene.
+  struct Reaction
+  {
+    std::string          condition;
+    dealii::Tensor<1, 3> force;
+    double               power = 0; ///< its work rate, force times prescribed velocity [W]
+  };
+  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state);
+
+  /// Evaluates displacements at fixed material points. @throws InputError naming the marker if one lies outside the body.
+  struct Marker
+  {
+    std::string          name;
+    dealii::Point<3>     position; ///< reference [m]
+  };
+  class MarkerProbe
+  {
+  public:
+    MarkerProbe(const Muscle3dSystem &system, std::vector<Marker> markers, const std::string &where);
+    std::vector<dealii::Tensor<1, 3>> displacements(const State &state) const;
+    const std::vector<Marker> &       markers() const { return markers_; }
+
+  private:
+    const Muscle3dSystem &system_;
+    std::vector<Marker>   markers_;
+    struct Place;
+    std::vector<std::shared_ptr<const Place>> places_; ///< null where another rank owns the point
+  };
+
+  /// Point and cell fields for visualisation, see write_fields().
+  const std::vector<std::string> &field_names();
+
+  /// Writes @p fields (names of field_names()) of @p state to folder/fields-NNNN.vtu (.pvtu on several ranks), with
+  /// high-order cells; returns the file name. Fields at quadrature points are projected cell-wise (L2, degree of the displacement).
+  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields, const std::string &folder, unsigned int number);
+} // namespace myolines

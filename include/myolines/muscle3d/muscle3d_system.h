@@ -1,0 +1,62 @@
+#pragma once
+
+#include <myolines/muscle3d/parameters.h>
+#include <myolines/system/ledger.h>
+#include <myolines/system/semi_discrete_system.h>
+
+#include <deal.II/base/point.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  struct Muscle3dDiscretisation;
+  class Loads;
+
+  /// The 3D muscle as a second-order system in the displacement alone (physics page 1, thesis chapters 5-6):
+  ///
+  ///     M A + F_int(t, U, V) - F_ext(t, U) = 0,
+  ///
+  /// pressure and dilatation eliminated exactly, cell by cell: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h)).
+  /// Unknown 3 n + c is component c [m] of node n. Quasi-static systems ignore v and a and take sV = 1.
+  class Muscle3dSystem : public SemiDiscreteSystem
+  {
+  public:
+    Muscle3dSystem(Muscle3dParameters parameters, MPI_Comm communicator, WorkLedger &ledger);
+    ~Muscle3dSystem() override;
+
+    Capabilities                   capabilities() const override;
+    std::size_t                    n_unknowns() const override;
+    State                          initial_state(double t0) const override;
+    const Constraints &            constraints() const override;
+    void                           prescribed(double t, Side side, State &state) const override;
+    Evaluation                     residual(const Point &point, Vector &r) const override;
+    std::unique_ptr<Linearisation> make_linearisation() const override;
+    void                           linearise(const Point &point, Linearisation &linearisation) const override;
+    std::vector<double>            events(double t0, double t1) const override;
+
+    const Muscle3dParameters &    parameters() const { return parameters_; }
+    const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }
+    const Loads &                 loads() const { return *loads_; }
+    std::size_t                   n_cells() const;
+    /// Activation at time t, 0 without one.
+    double activation(double t, Side side = Side::left) const;
+
+    /// Moves every vertex of the reference mesh by @p map; states made before are void.
+    void move_mesh(const std::function<dealii::Point<3>(const dealii::Point<3> &)> &map);
+
+    /// Lines for `check`: terms that will be computed and terms that are skipped, each with why.
+    std::vector<std::string> plan() const;
+    /// Bytes this rank will hold for the system and its assembled tangent, estimated before solving.
+    double memory_estimate() const;
+
+  private:
+    Muscle3dParameters                      parameters_;
+    WorkLedger &                            ledger_;
+    std::unique_ptr<Muscle3dDiscretisation> discretisation_;
+    std::unique_ptr<Loads>                  loads_;
+  };
+} // namespace myolines

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <myolines/muscle3d/measurements.h>
+#include <myolines/scene/scene.h>
+#include <myolines/time/loop.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace myolines
+{
+  /// Parameters of the optional list `fields`.
+  scene::Schema fields_schema();
+
+  /// Writes fields-NNNN.vtu (.pvtu) and keeps fields.pvd, their list, valid at all times.
+  /// @throws InputError for an unknown field.
+  std::unique_ptr<Observer> make_fields(const scene::Node &fields, const Muscle3dSystem &system, const std::filesystem::path &folder,
+                                        WorkLedger &ledger);
+
+  /// The names in "displacement, fibre stretch". @throws InputError for one that is not in @p known, or for none at all.
+  std::vector<std::string> read_field_names(const scene::Node &fields, const std::vector<std::string> &known);
+
+  /// ParaView collection of files, each valid from its time on [s].
+  std::string pvd_text(const std::vector<std::pair<double, std::string> > &files);
+} // namespace myolines

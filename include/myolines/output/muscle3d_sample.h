@@ -1,0 +1,63 @@
+#pragma once
+
+#include <myolines/muscle3d/measurements.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace myolines
+{
+  /// The centres of the end faces x-, x+ and of the face whose force is reported.
+  struct EndPoints
+  {
+    EndPoints(const Muscle3dSystem &system, unsigned int force_face);
+
+    MarkerProbe probe;            ///< order: x-, x+, force face
+    double      reference_length; ///< of the block [m]
+  };
+
+  /// What the files of a muscle run may want to know of one state, each measured on first use and then shared: a row of
+  /// every file costs one pass over the body, and nothing that no file asks for is measured.
+  /// All ranks must ask for the same things in the same order. Borrows everything.
+  class Muscle3dSample
+  {
+  public:
+    Muscle3dSample(const Muscle3dSystem &system, const State &state, Side side, SlabRule slab, const EndPoints &ends);
+
+    const Muscle3dSystem &
+    system() const
+    {
+      return system_;
+    }
+    const State &
+    state() const
+    {
+      return state_;
+    }
+    double
+    t() const
+    {
+      return state_.t;
+    }
+
+    const BodyMeasures                 &body() const;
+    const std::vector<Reaction>        &reactions() const;
+    const Parts<dealii::Tensor<1, 3> > &face_force(unsigned int face) const;
+
+    double activation() const;       ///< [-], on the side of the state at a kink
+    double muscle_length() const;    ///< distance along x between the centres of the end faces [m]
+    double force_face_speed() const; ///< x component of the velocity of the centre of the force face [m/s]
+
+  private:
+    const Muscle3dSystem &system_;
+    const State          &state_;
+    Side                  side_;
+    SlabRule              slab_;
+    const EndPoints      &ends_;
+
+    mutable std::optional<BodyMeasures>                                 body_;
+    mutable std::optional<std::vector<Reaction> >                       reactions_;
+    mutable std::array<std::optional<Parts<dealii::Tensor<1, 3> > >, 6> forces_;
+  };
+} // namespace myolines

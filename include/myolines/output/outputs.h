@@ -1,0 +1,36 @@
+#pragma once
+
+#include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/oscillator/oscillator_system.h>
+#include <myolines/scene/scene.h>
+#include <myolines/system/ledger.h>
+#include <myolines/time/loop.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace myolines
+{
+  /// Parameters of the list `output` for each system.
+  scene::Schema muscle3d_output_schema();
+  scene::Schema oscillator_output_schema();
+
+  /// The observers a scene asks for; they write into @p folder, which exists and is writable.
+  std::vector<std::unique_ptr<Observer> > make_outputs(const scene::Node &output, const Muscle3dSystem &system,
+                                                       const std::filesystem::path &folder, WorkLedger &ledger);
+  std::vector<std::unique_ptr<Observer> > make_outputs(const scene::Node &output, const OscillatorSystem &system,
+                                                       const std::filesystem::path &folder, WorkLedger &ledger);
+
+  /// Status line per step on a terminal, one line per step in run.log, always run.log; on rank 0.
+  std::unique_ptr<Observer> make_status(const std::filesystem::path &folder, double start, double end, bool quiet);
+  /// steps.csv: number, t, dt, outcome, iterations, residuals of every attempt, rejected ones included.
+  std::unique_ptr<Observer> make_steps_file(const std::filesystem::path &folder);
+
+  /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, exit reason. @p started as
+  /// iso8601_now() (output/text_file.h) gives it; "finished" is the moment of writing. Rank 0 writes.
+  void write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
+                      const std::string &exit_reason);
+  /// ledger.json: counts and seconds by phase, those of rank 0.
+  void write_ledger(const std::filesystem::path &folder, const WorkLedger &ledger);
+} // namespace myolines

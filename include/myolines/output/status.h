@@ -1,0 +1,47 @@
+#pragma once
+
+#include <myolines/time/loop.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iosfwd>
+
+namespace myolines
+{
+  /// Tells how far a run is: one line per attempted step in a log file and, on a terminal, one line that is overwritten
+  /// with the progress and an estimate of the time remaining (from the wall-clock time per simulated second so far).
+  class Status : public Observer
+  {
+  public:
+    /// Times in seconds; @p terminal may be nullptr (not a terminal, or the user wants quiet). Only the rank that
+    /// writes files logs and shows.
+    Status(const std::filesystem::path &log, double start, double end, std::ostream *terminal);
+
+    void begin(const State &state) override;
+    void accepted(const State &state, const StepRecord &record) override;
+    void rejected(const StepRecord &record) override;
+    void end(const std::string &reason) override;
+
+  private:
+    void   log(const std::string &line);
+    double elapsed() const; ///< [s]
+    void   show(const StepRecord &record);
+
+    std::ofstream                         log_;
+    double                                start_;
+    double                                end_;
+    std::ostream                         *terminal_;
+    std::size_t                           shown_width_ = 0;
+    std::chrono::steady_clock::time_point begin_;
+  };
+
+  /// "7 s", "3 min 05 s", "2 h 07 min".
+  std::string duration_text(double seconds);
+
+  /// "step 12  t 0.15 s  dt 0.0125 s  Newton 5  linear 34  residual 3.1e+02 -> 1.2e-09".
+  std::string step_text(const StepRecord &record);
+
+  /// "accepted", "not converged", "inadmissible", "error too large".
+  std::string outcome_text(StepReport::Outcome outcome);
+} // namespace myolines

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <myolines/base/error.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace myolines::scene
+{
+  /// What stands in a scene file, in its order, before anything is known about its meaning.
+  struct RawParameter
+  {
+    std::string name;
+    std::string type; ///< attribute "type"; "" for overrides, which have none
+    std::string text; ///< attribute "value", entities replaced
+    bool        from_override = false;
+  };
+
+  struct RawList
+  {
+    std::string               name;
+    std::vector<RawParameter> parameters;
+    std::vector<RawList>      lists;
+    bool                      from_override = false; ///< not in the file; an override made it
+  };
+
+  /// The tree of @p xml; what is not a parameter list goes to @p problems, with @p file in front.
+  /// Works on the document itself, not on Teuchos::ParameterList, because that hides duplicates.
+  RawList parse_document(const std::string &xml, const std::string &file, std::vector<InputProblem> &problems);
+
+  /// The contents of @p file; an unreadable one is a problem.
+  std::string read_text(const std::filesystem::path &file, std::vector<InputProblem> &problems);
+
+  /// Sets the parameter at @p path ("time/step"), making the lists on the way where there are none.
+  void set_parameter(RawList &root, const std::string &path, const std::string &text, bool from_override);
+
+  /// Applies "path=value" assignments as set_parameter() does.
+  void apply_overrides(RawList &root, const std::vector<std::string> &overrides, std::vector<InputProblem> &problems);
+
+  /// The parameter at @p path, or nullptr.
+  const RawParameter *find_parameter(const RawList &root, const std::string &path);
+} // namespace myolines::scene

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace myolines::scene
+{
+  /// @p text without white space at its ends.
+  std::string trimmed(const std::string &text);
+
+  /// The finite number that @p text spells completely ("1e-3", "+2", " .5 "); nothing otherwise. Independent of the locale.
+  std::optional<double> parse_number(const std::string &text);
+
+  /// The integer that @p text spells completely; nothing otherwise.
+  std::optional<int> parse_integer(const std::string &text);
+
+  /// Shortest decimal text that parse_number() turns back into exactly @p value.
+  std::string format_number(double value);
+} // namespace myolines::scene

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace myolines::scene
+{
+  enum class Kind
+  {
+    number,  ///< double; "1e-3"
+    integer, ///< "3"
+    boolean, ///< "true" / "false"
+    text,    ///< any string
+    choice,  ///< one of a list of words
+    file     ///< path of an existing file, relative to the scene
+  };
+
+  /// Interval of admissible numbers; an open end excludes its limit.
+  struct Range
+  {
+    double low       = -std::numeric_limits<double>::infinity();
+    double high      = std::numeric_limits<double>::infinity();
+    bool   low_open  = false;
+    bool   high_open = false;
+
+    bool        contains(double value) const;
+    std::string text() const; ///< "> 0", "in [0, 1]", "any finite number"
+
+    static Range any() { return {}; }
+    static Range positive() { return {0, std::numeric_limits<double>::infinity(), true, false}; }
+    static Range not_negative() { return {0, std::numeric_limits<double>::infinity(), false, false}; }
+    static Range closed(double low, double high) { return {low, high, false, false}; }
+  };
+
+  /// Declaration of one parameter: everything help, validation and the manual need.
+  struct Entry
+  {
+    std::string                name;
+    Kind                       kind = Kind::number;
+    std::optional<std::string> fallback; ///< text of the default; none: the parameter is required, or optional if so marked
+    bool                       optional = false; ///< may be absent without a default; the code asks Node::has()
+    std::string                unit;             ///< "m", "Pa s", "-" for none
+    Range                      range;
+    std::vector<std::string>   choices;
+    std::string                doc; ///< one sentence
+
+    std::string expected() const;    ///< "a number [m] > 0", for messages
+    std::string declaration() const; ///< expected() and the default, for help
+  };
+
+  /// Declaration of a list of parameters, beside the code that uses them. Adding returns *this, so declarations chain.
+  ///
+  /// Defaults: std::nullopt makes a parameter required. Declaring a name twice is a programming error (std::logic_error).
+  class Schema
+  {
+  public:
+    explicit Schema(std::string doc = "");
+
+    Schema &number(const std::string &name, std::optional<double> fallback, const std::string &unit, Range range, const std::string &doc);
+    Schema &integer(const std::string &name, std::optional<int> fallback, Range range, const std::string &doc);
+    Schema &boolean(const std::string &name, bool fallback, const std::string &doc);
+    Schema &text(const std::string &name, std::optional<std::string> fallback, const std::string &doc);
+    Schema &choice(const std::string &name, std::optional<std::string> fallback, std::vector<std::string> choices, const std::string &doc);
+
+    /// As above, but absent when not written: no default, Node::has() tells.
+    Schema &optional_number(const std::string &name, const std::string &unit, Range range, const std::string &doc);
+    Schema &optional_text(const std::string &name, const std::string &doc);
+    Schema &optional_file(const std::string &name, const std::string &doc);
+
+    /// A list inside this list. Present with all its defaults even if the scene does not write it ...
+    Schema &section(const std::string &name, Schema schema);
+    /// ... or absent unless written (a scene pays nothing for it).
+    Schema &optional_section(const std::string &name, Schema schema);
+
+    /// Lists with names of the user's choice, all of one declaration (boundary conditions).
+    Schema &named_sections(Schema each);
+
+    /// A choice parameter @p name (usually "type") each of whose values brings further parameters of its own.
+    /// A schema has at most one variant; an alternative may have one in turn.
+    Schema &variant(const std::string &name, std::optional<std::string> fallback, std::vector<std::pair<std::string, Schema>> alternatives, const std::string &doc);
+
+    const std::string &doc() const { return doc_; }
+
+    /// This schema, then the alternative its variant selects, then the alternative that one selects, and so on.
+    /// @p selected gives the text of a selector ("" if it has none); an unknown selection ends the chain.
+    std::vector<const Schema *> chain(const std::function<std::string(const Entry &)> &selected) const;
+
+    // What was declared, in order of declaration; for validation, help and manual.
+    struct Section
+    {
+      std::string             name;
+      std::shared_ptr<Schema> schema;
+      bool                    optional = false;
+    };
+    struct Variant
+    {
+      std::string                                               selector; ///< name of the choice Entry
+      std::vector<std::pair<std::string, std::shared_ptr<Schema>>> alternatives;
+    };
+    const std::vector<Entry> &  entries() const { return entries_; }
+    const std::vector<Section> &sections() const { return sections_; }
+    const std::shared_ptr<Schema> &  named() const { return named_; }
+    const std::optional<Variant> &variant() const { return variant_; }
+
+  private:
+    Schema &add(Entry entry);
+    Schema &add_section(const std::string &name, Schema schema, bool optional);
+    void    refuse_known(const std::string &name) const;
+
+    std::string             doc_;
+    std::vector<Entry>      entries_;
+    std::vector<Section>    sections_;
+    std::shared_ptr<Schema> named_;
+    std::optional<Variant>  variant_;
+  };
+} // namespace myolines::scene

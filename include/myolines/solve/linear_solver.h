@@ -1,0 +1,55 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+#include <myolines/system/ledger.h>
+#include <myolines/system/linearisation.h>
+
+#include <memory>
+#include <string>
+
+namespace myolines
+{
+  struct LinearReport
+  {
+    bool         converged  = false;
+    std::string  reason; ///< why not; empty if it did
+    unsigned int iterations = 0;
+    double       relative_residual = 0; ///< true |b - J x| / |b|
+  };
+
+  /// Krylov solver (Belos) with a preconditioner by name, for C^T J C x = b on the free unknowns.
+  ///
+  /// CG where the operator is symmetric; GMRES otherwise, and as fallback when CG meets a direction of non-positive
+  /// curvature or stalls. The true residual is checked after every solve. A preconditioner that is the inverse gets one
+  /// application first, and Krylov iterations only if that was not enough.
+  ///
+  /// The preconditioner is kept from solve to solve. It is rebuilt, depending on `rebuild`, at each new step or only when
+  /// it has become slow: when a solve took `slow iterations` more than the first one after the last rebuild. A solve that
+  /// fails with a kept preconditioner is repeated with a fresh one.
+  ///
+  /// Ledger: "preconditioner set-ups", "linear solves", "linear iterations", "krylov fallbacks"; seconds of "assembly",
+  /// "preconditioner", "linear solve".
+  class LinearSolver
+  {
+  public:
+    /// Parameters of the lists `solver/linear` and `solver/preconditioner`.
+    static scene::Schema linear_schema();
+    static scene::Schema preconditioner_schema();
+
+    LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger);
+    ~LinearSolver();
+
+    /// The next solve may build a fresh preconditioner: the operator has moved on to another time step or stage weight.
+    void new_step();
+
+    /// Solves to |b - J x| <= @p tolerance |b| over the free unknowns. Entries of constrained unknowns of @p b are
+    /// ignored (a right-hand side f is given as C^T f) and those of @p x come back zero. Never throws: what went wrong is
+    /// in the report, and x then holds the best iterate found, which may be zero.
+    LinearReport solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, bool symmetric,
+                       const Vector &b, Vector &x, double tolerance);
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+  };
+} // namespace myolines

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <myolines/system/linearisation.h>
+
+namespace myolines
+{
+  /// F(x) = 0 on free unknowns, x_c = target_c (+ C x_free) on constrained ones, as Newton's method sees it.
+  /// x is full length. x may start with constrained entries that differ from the target: the solver lifts them in its
+  /// first step (J_ff dx_f = -F_f - J_fc dx_c) and re-applies what remains if that step was damped.
+  class NonlinearProblem
+  {
+  public:
+    virtual ~NonlinearProblem() = default;
+
+    virtual const Constraints &constraints() const = 0;
+
+    /// Sets the constrained entries of @p x to their final values (for its free ones); ghosts are current on return.
+    virtual void impose(Vector &x) const = 0;
+
+    /// Full-length residual; rows of constrained unknowns are reactions and are ignored by the solver.
+    virtual Evaluation residual(const Vector &x, Vector &f) = 0;
+
+    /// Makes linearisation() that of @p x, a point where residual() was admissible.
+    virtual void linearise(const Vector &x) = 0;
+
+    virtual Linearisation &       linearisation()   = 0;
+    virtual const WeightsByOrder &weights() const   = 0; ///< J = dF/dx = weights applied to the linearisation
+    virtual bool                  symmetric() const = 0; ///< whether J is symmetric
+  };
+} // namespace myolines

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+#include <myolines/solve/linear_solver.h>
+#include <myolines/solve/nonlinear_problem.h>
+#include <myolines/system/ledger.h>
+
+#include <memory>
+#include <string>
+
+namespace myolines
+{
+  /// How a nonlinear solve ended: a value, never an exception.
+  struct NonlinearReport
+  {
+    bool         converged         = false;
+    bool         inadmissible      = false; ///< failed because no admissible point was found along the step
+    std::string  reason;                    ///< why not converged; empty if it did
+    unsigned int iterations        = 0;     ///< Newton steps = linear solves
+    unsigned int linear_iterations = 0;
+    unsigned int residual_evaluations = 0;
+    double       initial_residual  = 0; ///< l2 norm over free unknowns after the Dirichlet lift (to first order) [unit of F]
+    double       final_residual    = 0; ///< the same at the end
+  };
+
+  /// Inexact Newton (Eisenstat and Walker, doi:10.1137/0917003, choice 2) with a safeguarded line search, on NOX.
+  ///
+  /// Converged: |F_free| <= max(relative tolerance * |F_free after the lift|, absolute tolerance), nothing left to lift.
+  /// Line search: accept |F| <= (1 - 1e-4 alpha) |F_0|, else quadratic interpolation clamped to [0.1, 0.5] of the last
+  /// alpha; halve at inadmissible points; at most `line search cuts` cuts.
+  ///
+  /// Ledger: "nonlinear solves", "newton iterations", "line search cuts". Prints nothing.
+  class NonlinearSolver
+  {
+  public:
+    /// Parameters of the list `solver/nonlinear`.
+    static scene::Schema schema();
+
+    NonlinearSolver(const scene::Node &nonlinear, LinearSolver &linear, WorkLedger &ledger);
+    ~NonlinearSolver();
+
+    /// Solves from @p x; on failure x is unspecified. Each solve counts as a new step of the linear solver.
+    NonlinearReport solve(NonlinearProblem &problem, Vector &x);
+
+  private:
+    class Implementation;
+    std::unique_ptr<Implementation> implementation_;
+  };
+} // namespace myolines

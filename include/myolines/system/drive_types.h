@@ -1,0 +1,90 @@
+#pragma once
+
+#include <myolines/system/drive.h>
+
+#include <vector>
+
+namespace myolines
+{
+  /// Polynomials of degree three between given times, constant before the first and after the last. The value is continuous;
+  /// derivatives may jump at the given times, and where they do there is a kink.
+  ///
+  /// A time within 1e-12 of the drive's time scale of a kink counts as the kink, so that rounding in sums of time steps
+  /// does not decide which side is taken.
+  class PiecewiseDrive : public Drive
+  {
+  public:
+    /// Value c0 + c1 s + c2 s^2 + c3 s^3 with s = t - begin.
+    struct Piece
+    {
+      double begin;
+      double c0, c1, c2, c3;
+    };
+
+    struct ControlPoint
+    {
+      double t; ///< [s]
+      double value;
+    };
+
+    /// Straight lines between @p points, whose times ascend.
+    static PiecewiseDrive lines(const std::vector<ControlPoint> &points);
+    /// The cubic spline through @p points with continuous second derivative and slope zero at both ends.
+    static PiecewiseDrive spline(const std::vector<ControlPoint> &points);
+    static PiecewiseDrive constant(double value);
+
+    /// Times that count as the same if @p points span the scale: 1e-12 of the largest |t|.
+    static double tolerance(const std::vector<ControlPoint> &points);
+
+    double              value(double t, Side side) const override;
+    double              first_derivative(double t, Side side) const override;
+    double              second_derivative(double t, Side side) const override;
+    std::vector<double> kinks(double t0, double t1) const override;
+    bool                identically_zero() const override;
+
+  private:
+    PiecewiseDrive(const std::vector<ControlPoint> &points, const std::vector<double> &slopes_right, const std::vector<double> &slopes_left);
+
+    const Piece &piece(double t, Side side) const;
+    void         find_kinks();
+
+    std::vector<Piece>  pieces_; ///< the first reaches back to the beginning of time; its begin is the first control point
+    std::vector<double> kinks_;
+    double              tolerance_;
+  };
+
+  /// A phi((t - t0) / T), thesis (4.7.3): infinitely smooth, phi(x) = 1 / (1 + exp(z)), z = (1/x - 1/(1-x)) / c0 on (0, 1).
+  /// Its greatest rate, at the middle, is 2 A / (c0 T) for c0 <= 2/sqrt(3).
+  class SmoothStep : public Drive
+  {
+  public:
+    /// @p duration T > 0 [s], @p shape c0 in (0, 2/sqrt(3)].
+    SmoothStep(double amplitude, double start, double duration, double shape);
+
+    double              value(double t, Side side) const override;
+    double              first_derivative(double t, Side side) const override;
+    double              second_derivative(double t, Side side) const override;
+    std::vector<double> kinks(double, double) const override { return {}; }
+    bool                identically_zero() const override { return amplitude_ == 0; }
+
+  private:
+    double amplitude_, start_, duration_, shape_;
+  };
+
+  /// offset + A sin(2 pi f t + phase), thesis (4.7.5).
+  class Sine : public Drive
+  {
+  public:
+    /// @p frequency f > 0 [Hz], @p phase [rad].
+    Sine(double amplitude, double frequency, double phase, double offset);
+
+    double              value(double t, Side side) const override;
+    double              first_derivative(double t, Side side) const override;
+    double              second_derivative(double t, Side side) const override;
+    std::vector<double> kinks(double, double) const override { return {}; }
+    bool                identically_zero() const override { return amplitude_ == 0 && offset_ == 0; }
+
+  private:
+    double amplitude_, omega_, phase_, offset_;
+  };
+} // namespace myolines

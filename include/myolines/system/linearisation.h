@@ -1,0 +1,38 @@
+#pragma once
+
+#include <myolines/algebra/sparse_matrix.h>
+#include <myolines/system/point.h>
+
+#include <vector>
+
+namespace myolines
+{
+  /// What multilevel preconditioners may know beyond the matrix.
+  struct MultilevelData
+  {
+    /// Unknowns of one node stand next to each other: 3 for displacements, 1 for scalar systems.
+    unsigned int unknowns_per_node = 1;
+
+    /// Vectors the operator nearly maps to zero (rigid-body modes), zero on constrained unknowns.
+    std::vector<Vector> near_null_space;
+  };
+
+  /// A system linearised at a Point: everything solvers may ask of K = dR/du, C = dR/dv, M = dR/da.
+  /// Filled by SemiDiscreteSystem::linearise(); weights are given at use, so one linearisation serves any integrator.
+  class Linearisation
+  {
+  public:
+    virtual ~Linearisation() = default;
+
+    /// y = J x with J = w.u K + w.v C + w.a M, full length, no constraint applied: rows and columns of constrained
+    /// unknowns are those of the free system (a lift or a reaction needs them). @p x needs no ghosts on entry.
+    virtual void apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const = 0;
+
+    /// C^T J C with unit rows for constrained unknowns (times a typical diagonal entry). The reference stays valid, and
+    /// the values stand, until the next call or the next linearise().
+    virtual const SparseMatrix &sparse(const WeightsByOrder &weights) = 0;
+
+    /// Data for multilevel preconditioners, or nullptr where the system has none. Independent of the weights.
+    virtual const MultilevelData *multilevel() const { return nullptr; }
+  };
+} // namespace myolines

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <myolines/algebra/vector.h>
+
+#include <array>
+#include <string>
+
+namespace myolines
+{
+  /// Side of a kink in a drive: a step starts on the right limit of one and ends on the left limit of the next.
+  enum class Side
+  {
+    left,
+    right
+  };
+
+  /// What an integrator carries from step to step: u, v = du/dt, a = d2u/dt2 of every unknown at time t [s].
+  struct State
+  {
+    double t = 0;
+    Vector u;
+    Vector v;
+    Vector a;
+  };
+
+  /// Arguments of a residual. t is the instant of u, v, a and of the loads. Borrowed: the vectors outlive the point.
+  struct Point
+  {
+    double        t;
+    Side          side;
+    const Vector &u;
+    const Vector &v;
+    const Vector &a;
+  };
+
+  /// J = w.u dR/du + w.v dR/dv + w.a dR/da; any weight may be zero.
+  struct Weights
+  {
+    double u = 0;
+    double v = 0;
+    double a = 0;
+  };
+
+  /// Weights by differential order of the unknown: [0] algebraic, [1] first order, [2] second order in time.
+  using WeightsByOrder = std::array<Weights, 3>;
+
+  /// Weights of one implicit stage (u, v, a) = (u~, v~, a~) + (c_u, c_v, c_a) d. Algebraic unknowns always get (1, 0, 0).
+  inline WeightsByOrder stage_weights(const double c_u, const double c_v, const double c_a)
+  {
+    return {{Weights{1, 0, 0}, Weights{c_u, c_v, 0}, Weights{c_u, c_v, c_a}}};
+  }
+
+  /// What a residual says of its arguments. Inadmissible (det F <= 0, not a number, ...) is a value, agreed by all ranks.
+  struct Evaluation
+  {
+    bool        admissible = true;
+    std::string reason; ///< why not, in words; empty if admissible
+  };
+} // namespace myolines

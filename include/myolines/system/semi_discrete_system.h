@@ -1,0 +1,62 @@
+#pragma once
+
+#include <myolines/system/linearisation.h>
+#include <myolines/system/point.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// What a system is, for integrators to decide whether they fit and for `check` to print.
+  struct Capabilities
+  {
+    bool inertia            = true;  ///< dR/da != 0
+    bool rates              = true;  ///< R depends on v
+    bool linear             = false; ///< K, C, M do not depend on u, v
+    bool constant_mass      = true;
+    bool symmetric_tangent  = false; ///< K and C as linearised are symmetric
+    bool energy             = false; ///< the system can state its energies
+    std::vector<unsigned int> orders = {2}; ///< differential orders of the unknowns that occur
+  };
+
+  /// A semi-discrete system (method of lines), the waist between time integrators and physics:
+  ///
+  ///     R(t, u, v, a) = M a + F_int(t, u, v) - F_ext(t, u) = 0,      u = C q + g(t).
+  ///
+  /// Equal arguments give equal results, in any order of calls: no hidden time, no time step, no "previous" state.
+  /// Residuals are full length: the row of a constrained unknown is its reaction, the force the constraint exerts.
+  class SemiDiscreteSystem
+  {
+  public:
+    virtual ~SemiDiscreteSystem() = default;
+
+    virtual Capabilities capabilities() const = 0;
+
+    /// Number of unknowns on all ranks, constrained ones included.
+    virtual std::size_t n_unknowns() const = 0;
+
+    /// State at time @p t0 [s] as the scene gives it; prescribed unknowns hold their right limits.
+    virtual State initial_state(double t0) const = 0;
+
+    /// The homogeneous relations u = C q: constrained unknowns and what they depend on. Constant in time.
+    virtual const Constraints &constraints() const = 0;
+
+    /// Sets u, v and a of the constrained unknowns of @p state to g, dg/dt, d2g/dt2 plus C applied to its free ones,
+    /// with one-sided limits at kinks. Free entries are untouched; ghosts are current on return.
+    virtual void prescribed(double t, Side side, State &state) const = 0;
+
+    /// r = R(point); @p r has the layout of the state. If the state is inadmissible r is filled with NaN.
+    virtual Evaluation residual(const Point &point, Vector &r) const = 0;
+
+    /// Storage for linearisations, once.
+    virtual std::unique_ptr<Linearisation> make_linearisation() const = 0;
+
+    /// Refills @p linearisation (from make_linearisation() of this system) at an admissible @p point.
+    virtual void linearise(const Point &point, Linearisation &linearisation) const = 0;
+
+    /// Kinks of the drives in the open interval (t0, t1), ascending.
+    virtual std::vector<double> events(double t0, double t1) const = 0;
+  };
+} // namespace myolines

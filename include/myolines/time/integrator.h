@@ -1,0 +1,103 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+#include <myolines/solve/nonlinear_solver.h>
+#include <myolines/system/archive.h>
+#include <myolines/system/semi_discrete_system.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// Facts about a method, for `list`, `check`, the documentation and the verification suite.
+  struct MethodFacts
+  {
+    std::string  name;      ///< as in a scene: "backward euler"
+    std::string  summary;   ///< one sentence
+    std::string  reference; ///< paper with DOI, or thesis equation
+    unsigned int order = 1; ///< order of accuracy of u and v on smooth problems; 0: no dynamics
+    std::string  stability; ///< "L-stable", ...
+    bool         dynamic = true; ///< false: ignores inertia and rates
+
+    /// After load(): exact (bit-equal) or reinitialised (history is lost).
+    enum class Restart
+    {
+      exact,
+      reinitialise
+    } restart = Restart::exact;
+  };
+
+  /// How the velocity and acceleration of moving boundaries are made.
+  enum class BoundaryRates
+  {
+    exact, ///< analytic derivatives of the prescribed motion
+    scheme ///< the method's own difference formulas
+  };
+
+  /// How a step ended. Failure is a value, never an exception.
+  struct StepReport
+  {
+    enum class Outcome
+    {
+      accepted,
+      not_converged,
+      inadmissible,
+      error_too_large
+    };
+    Outcome               outcome = Outcome::accepted;
+    std::string           reason;
+    unsigned int          newton_iterations    = 0;
+    unsigned int          linear_iterations    = 0;
+    unsigned int          residual_evaluations = 0;
+    double                initial_residual     = 0; ///< l2 over free unknowns after the lift
+    double                final_residual       = 0;
+    std::optional<double> error_estimate; ///< relative to the tolerances, if the method estimates it
+
+    bool accepted() const { return outcome == Outcome::accepted; }
+  };
+
+  /// What every integrator gets to work with. All references outlive the integrator.
+  struct IntegratorContext
+  {
+    const SemiDiscreteSystem &system;
+    NonlinearSolver &         solver;
+    BoundaryRates             boundary_rates;
+    WorkLedger &              ledger;
+  };
+
+  /// One-step contract.
+  /// - start(state): state.t, u, v hold the beginning of a smooth piece (the initial time or a kink). The method
+  ///   prepares what it needs (accelerations, empty history). Call again after every event at which the loop restarts.
+  /// - step(dt, state): on entry t, u, v, a are the last accepted step; on return with Outcome::accepted they are at
+  ///   exactly t + dt, else bit-equal to entry. Never changes dt, never loops over steps, never prints.
+  /// - save/load: everything beyond the state that the next step depends on.
+  class Integrator
+  {
+  public:
+    virtual ~Integrator() = default;
+
+    virtual void       start(State &state)           = 0;
+    virtual StepReport step(double dt, State &state) = 0;
+
+    virtual void save(Archive &archive) const = 0;
+    virtual void load(const Archive &archive) = 0;
+  };
+
+  /// What one file in integrators/ provides: facts, parameters, and how to make one.
+  struct IntegratorEntry
+  {
+    MethodFacts                                                                                    facts;
+    scene::Schema                                                                                  schema;
+    std::function<std::unique_ptr<Integrator>(const scene::Node &, const IntegratorContext &)> make;
+  };
+
+  /// All integrators of integrators/list.def, in its order.
+  const std::vector<IntegratorEntry> &integrator_registry();
+
+  /// The entry whose facts.name is @p name. @throws std::out_of_range.
+  const IntegratorEntry &integrator_entry(const std::string &name);
+} // namespace myolines

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <myolines/time/integrator.h>
+#include <myolines/time/step_control.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// How the loop treats kinks of the drives.
+  enum class Events
+  {
+    restart, ///< land on them and restart the integrator with right limits
+    land,    ///< land on them only
+    ignore
+  };
+
+  /// One attempted step, for observers and steps.csv.
+  struct StepRecord
+  {
+    std::size_t number = 0; ///< accepted steps so far, this one included if accepted
+    double      t      = 0; ///< end of the step [s]
+    double      dt     = 0; ///< [s]
+    StepReport  report;
+  };
+
+  /// Watches a run. Observers never change the state or the steps.
+  class Observer
+  {
+  public:
+    virtual ~Observer() = default;
+    virtual void begin(const State &) {}                          ///< initial state, before the first step
+    virtual void accepted(const State &, const StepRecord &) {}   ///< after every accepted step
+    virtual void rejected(const StepRecord &) {}                  ///< after every rejected attempt
+    virtual void end(const std::string & /*reason*/) {}           ///< always called, also after a failure; "" if done
+  };
+
+  struct LoopSettings
+  {
+    double      start      = 0; ///< [s]
+    double      end        = 0; ///< [s]
+    Events      events     = Events::restart;
+    std::size_t steps_done = 0; ///< accepted steps before the given state, of a resumed run
+  };
+  LoopSettings loop_settings(const scene::Node &time);
+
+  /// Advances @p state to settings.end exactly: lands on the end, on the landings of the control and (unless ignored) on
+  /// events; restarts the integrator after events where so set. A remainder shorter than 1e-9 of the proposed step is
+  /// merged into the step, so that rounding makes no sliver steps. Landing times are set, never accumulated.
+  ///
+  /// A state at settings.start begins the run: the integrator is started. A later one resumes it: integrator and control
+  /// have been loaded, and the run goes on as if it had not stopped.
+  ///
+  /// Ledger: "accepted steps", "rejected steps", "restarts at events".
+  /// @throws SolveError with reason, time and last step size when the control gives up; observers were told before.
+  void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
+                const std::vector<Observer *> &observers, WorkLedger &ledger);
+} // namespace myolines

@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# One door to the project: installs what is missing, builds, runs, tests. Works from any folder.
+set -euo pipefail
+
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")" && pwd)
+release=$root/build/release
+debug=$root/build/debug
+
+packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundials-dev libopenmpi-dev openmpi-bin
+          libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev numdiff
+          gnuplot-nox python3-minimal)
+
+# MPI starts as root and with more ranks than cores (containers); one thread per rank, or the ranks fight for cores.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+
+usage() {
+  cat <<'TEXT'
+usage: ./myolines.sh run SCENE [ARGUMENTS]   build the program if need be and run a scene (arguments: myolines run --help)
+       ./myolines.sh test [ARGUMENTS]        build everything, run all tests (arguments go to ctest: -R NAME, -L LABEL, ...)
+       ./myolines.sh build                   build the program only: build/release/myolines
+       ./myolines.sh install                 install the Debian packages that are missing
+       ./myolines.sh --help
+
+Missing Debian packages are installed by every command when it runs as root; otherwise they are named (exit code 2).
+TEXT
+}
+
+is_installed() {
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
+install_packages() {
+  if ! command -v dpkg-query >/dev/null; then
+    echo "not a Debian system: CMake will say which libraries it cannot find" >&2
+    return
+  fi
+  local missing=() package
+  for package in "${packages[@]}"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  if [ "$(id -u)" -ne 0 ]; then
+    echo "missing Debian packages: ${missing[*]}" >&2
+    echo "install them with: sudo apt-get update && sudo apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 2
+  fi
+  echo "installing ${missing[*]}" >&2
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq >&2
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
+}
+
+# One job per core, but no more than one per 2 GB of free memory: deal.II is heavy to compile.
+build_jobs() {
+  local cores memory_kb limit
+  cores=$(nproc)
+  memory_kb=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)
+  limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
+  if [ "$limit" != max ] && [ $((limit / 1024)) -lt "$memory_kb" ]; then
+    memory_kb=$((limit / 1024))
+  fi
+  local by_memory=$((memory_kb / 2000000))
+  [ "$by_memory" -lt 1 ] && by_memory=1
+  echo $((by_memory < cores ? by_memory : cores))
+}
+
+# configure PRESET [OPTIONS]; the presets belong to the repository's own folder.
+configure() {
+  local preset=$1
+  shift
+  (cd "$root" && cmake --preset "$preset" "$@") >&2
+}
+
+build_program() {
+  configure release
+  cmake --build "$release" --target myolines --parallel "$(build_jobs)" >&2
+}
+
+# Release and Debug; the Debug unit tests appear as tests of the Release tree, so that one ctest tells all.
+build_all() {
+  configure debug
+  cmake --build "$debug" --parallel "$(build_jobs)" >&2
+  configure release -DMYOLINES_DEBUG_BUILD="$debug"
+  cmake --build "$release" --parallel "$(build_jobs)" >&2
+}
+
+command=${1:-}
+case "$command" in
+  run)
+    shift
+    if [ $# -eq 0 ]; then
+      usage >&2
+      exit 2
+    fi
+    install_packages
+    build_program
+    exec "$release/myolines" run "$@"
+    ;;
+  test)
+    shift
+    install_packages
+    build_all
+    exec ctest --test-dir "$release" --output-on-failure --parallel "$(build_jobs)" "$@"
+    ;;
+  build)
+    install_packages
+    build_program
+    echo "$release/myolines"
+    ;;
+  install)
+    install_packages
+    ;;
+  -h | --help | help)
+    usage
+    ;;
+  *)
+    [ -n "$command" ] && echo "unknown command: $command" >&2
+    usage >&2
+    exit 2
+    ;;
+esac

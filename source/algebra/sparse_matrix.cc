@@ -1,0 +1,27 @@
+#include <myolines/algebra/sparse_matrix.h>
+
+#include <Epetra_CrsMatrix.h>
+
+namespace myolines
+{
+  CompressedRows compressed_rows(SparseMatrix &matrix)
+  {
+    auto & crs       = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
+    int *  row_start = nullptr;
+    int *  columns   = nullptr;
+    double *values   = nullptr;
+    const int ierr   = crs.ExtractCrsDataPointers(row_start, columns, values);
+    AssertThrow(ierr == 0, dealii::ExcMessage("the sparse matrix is not in compressed storage"));
+    return {row_start, columns, values};
+  }
+
+  int local_column(const SparseMatrix &matrix, const dealii::types::global_dof_index index)
+  {
+    return matrix.trilinos_matrix().LCID(static_cast<int>(index));
+  }
+
+  int local_row(const SparseMatrix &matrix, const dealii::types::global_dof_index index)
+  {
+    return matrix.trilinos_matrix().LRID(static_cast<int>(index));
+  }
+} // namespace myolines

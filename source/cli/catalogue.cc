@@ -1,0 +1,143 @@
+#include <myolines/base/error.h>
+#include <myolines/base/names.h>
+#include <myolines/cli/catalogue.h>
+#include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/oscillator/oscillator_system.h>
+#include <myolines/output/outputs.h>
+#include <myolines/solve/nonlinear_solver.h>
+#include <myolines/time/step_control.h>
+
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    using scene::Node;
+    using scene::Schema;
+
+    template <typename System>
+    AssembledSystem assemble(std::unique_ptr<System> system, WorkLedger &ledger)
+    {
+      AssembledSystem assembled;
+      assembled.make_outputs = [&system = *system, &ledger](const Node &output, const std::filesystem::path &folder) {
+        return myolines::make_outputs(output, system, folder, ledger);
+      };
+      assembled.system = std::move(system);
+      return assembled;
+    }
+
+    std::string bytes_text(const double bytes)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << bytes / 1e6 << " MB";
+      return text.str();
+    }
+
+    AssembledSystem make_muscle3d(const Node &node, WorkLedger &ledger)
+    {
+      auto                     system     = std::make_unique<Muscle3dSystem>(read_muscle3d(node), MPI_COMM_WORLD, ledger);
+      const Muscle3dParameters parameters = system->parameters();
+      std::vector<std::string> plan       = system->plan();
+      plan.push_back("cells: " + std::to_string(system->n_cells()));
+      plan.push_back("memory of a rank for the system and its assembled tangent: about " + bytes_text(system->memory_estimate()));
+
+      AssembledSystem assembled = assemble(std::move(system), ledger);
+      assembled.plan            = std::move(plan);
+      if (parameters.dynamic && parameters.degree == 2 && parameters.n_points < 4)
+        assembled.warnings.push_back("dynamic runs of degree 2 want at least 4 quadrature points per direction, this scene has " +
+                                     std::to_string(parameters.n_points));
+      return assembled;
+    }
+
+    AssembledSystem make_oscillator(const Node &node, WorkLedger &ledger)
+    {
+      return assemble(std::make_unique<OscillatorSystem>(read_oscillator(node), ledger), ledger);
+    }
+
+    std::vector<SystemEntry> make_catalogue()
+    {
+      const std::vector<scene::Setting> isometric{{"title", "Isometric contraction of a pennate block"},
+                                                  {"system/geometry/refinement", "2"},
+                                                  {"system/fibres/type", "pennation angle"},
+                                                  {"system/fibres/angle", "30"},
+                                                  {"system/boundary/moving end/face", "x+"},
+                                                  {"system/boundary/moving end/type", "strain"},
+                                                  {"system/boundary/moving end/strain/type", "constant"},
+                                                  {"system/boundary/moving end/strain/value", "0"},
+                                                  {"system/boundary/fixed end/face", "x-"},
+                                                  {"system/boundary/fixed end/type", "fixed"},
+                                                  {"system/activation/type", "ramp"},
+                                                  {"system/activation/amplitude", "1"},
+                                                  {"system/activation/duration", "0.2"},
+                                                  {"time/end", "0.2"},
+                                                  {"time/step", "0.025"}};
+      const std::vector<scene::Setting> swinging{{"title", "Free oscillation"}, {"time/end", "10"}, {"time/step", "0.1"}};
+      return {{"muscle 3d", muscle3d_schema(), muscle3d_output_schema(), isometric, {{"system/inertia", "quasi-static"}}, make_muscle3d},
+              {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator}};
+    }
+
+    Schema integrator_schema()
+    {
+      std::vector<std::pair<std::string, Schema>> alternatives;
+      for (const IntegratorEntry &entry : integrator_registry())
+        alternatives.emplace_back(entry.facts.name, entry.schema);
+      return Schema("Method that advances the system in time.").variant("type", std::nullopt, alternatives, "Name of the method.");
+    }
+  } // namespace
+
+  const std::vector<SystemEntry> &system_catalogue()
+  {
+    static const std::vector<SystemEntry> catalogue = make_catalogue();
+    return catalogue;
+  }
+
+  const SystemEntry &system_entry(const std::string &name, const std::string &where)
+  {
+    std::vector<std::string> names;
+    for (const SystemEntry &entry : system_catalogue())
+      {
+        if (entry.name == name)
+          return entry;
+        names.push_back(entry.name);
+      }
+    const std::string nearest = nearest_name(name, names);
+    throw InputError(InputProblem{where, "unknown system \"" + name + "\"", "one of " + join(names), nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+  }
+
+  scene::Schema root_schema(const SystemEntry &output_of)
+  {
+    std::vector<std::pair<std::string, Schema>> systems;
+    for (const SystemEntry &entry : system_catalogue())
+      systems.emplace_back(entry.name, entry.schema);
+
+    Schema solver("Solvers of the implicit stages.");
+    solver.section("nonlinear", NonlinearSolver::schema())
+      .section("linear", LinearSolver::linear_schema())
+      .section("preconditioner", LinearSolver::preconditioner_schema());
+
+    Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");
+    root.text("title", "", "What this scene is about.")
+      .section("system", Schema("What is computed.").variant("type", std::nullopt, systems, "Kind of system."))
+      .section("integrator", integrator_schema())
+      .section("time", time_schema())
+      .section("solver", solver)
+      .section("output", output_of.output);
+    return root;
+  }
+
+  scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides)
+  {
+    const auto        type  = scene::peek_text(file, "system/type", overrides);
+    const std::string where = file.string() + ": system/type";
+    if (!type)
+      {
+        std::vector<std::string> names;
+        for (const SystemEntry &entry : system_catalogue())
+          names.push_back(entry.name);
+        throw InputError(InputProblem{where, "missing parameter \"type\"", "one of " + join(names), "Kind of system."});
+      }
+    return scene::read_scene(file, root_schema(system_entry(*type, where)), overrides);
+  }
+} // namespace myolines

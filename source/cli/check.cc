@@ -1,0 +1,86 @@
+#include <myolines/cli/commands.h>
+#include <myolines/cli/experiment.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
+#include <stdlib.h>
+
+namespace myolines
+{
+  namespace
+  {
+    /// A folder of its own that vanishes with the object, for outputs that are made only to see whether they can be.
+    class ScratchFolder
+    {
+    public:
+      ScratchFolder()
+      {
+        std::string name = (std::filesystem::temp_directory_path() / "myolines_check_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+          throw std::runtime_error("cannot make a folder in " + std::filesystem::temp_directory_path().string());
+        path_ = name;
+      }
+      ~ScratchFolder()
+      {
+        std::error_code ignored; // a left-over folder must not hide the verdict
+        std::filesystem::remove_all(path_, ignored);
+      }
+      ScratchFolder(const ScratchFolder &) = delete;
+      ScratchFolder &operator=(const ScratchFolder &) = delete;
+
+      const std::filesystem::path &path() const { return path_; }
+
+    private:
+      std::filesystem::path path_;
+    };
+
+    void print_method(const MethodFacts &facts, std::ostream &out)
+    {
+      out << "Integrator: " << facts.name << "\n  " << facts.summary << "\n";
+      if (facts.order > 0)
+        out << "  order " << facts.order << ", " << facts.stability << "\n";
+      if (!facts.dynamic)
+        out << "  ignores inertia and rates\n";
+      out << "  reference: " << facts.reference << "\n";
+    }
+
+    /// "8 x 0.025 s", equal neighbours together.
+    void print_steps(const Experiment &experiment, std::ostream &out)
+    {
+      const std::vector<double> sizes = experiment.planned_steps();
+      out << "Steps: " << sizes.size() << " from " << experiment.settings().start << " s to " << experiment.settings().end << " s, if none is rejected\n";
+      unsigned int lines = 0;
+      for (std::size_t i = 0; i < sizes.size();)
+        {
+          std::size_t j = i;
+          while (j < sizes.size() && std::abs(sizes[j] - sizes[i]) <= 1e-9 * sizes[i])
+            ++j;
+          if (++lines > 20)
+            {
+              out << "  ... and " << sizes.size() - i << " more\n";
+              return;
+            }
+          out << "  " << j - i << " x " << sizes[i] << " s\n";
+          i = j;
+        }
+    }
+  } // namespace
+
+  void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out)
+  {
+    const Experiment    experiment(read_whole_scene(scene, overrides));
+    const ScratchFolder scratch;
+    experiment.assembled().make_outputs(experiment.scene().section("output"), scratch.path());
+
+    out << "The scene is valid. Resolved, with every value in force:\n\n" << scene::resolved_xml(experiment.scene()) << "\n";
+    out << "System: " << experiment.scene().section("system").text("type") << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
+    for (const std::string &line : experiment.assembled().plan)
+      out << "  " << line << "\n";
+    print_method(experiment.method(), out);
+    print_steps(experiment, out);
+    for (const std::string &warning : experiment.assembled().warnings)
+      out << "Warning: " << warning << "\n";
+  }
+} // namespace myolines

@@ -1,0 +1,62 @@
+#include <myolines/cli/experiment.h>
+
+namespace myolines
+{
+  namespace
+  {
+    /// Accepts every step and computes nothing, so that the loop itself tells which steps it would take.
+    class DryIntegrator : public Integrator
+    {
+    public:
+      void       start(State &) override {}
+      StepReport step(const double dt, State &state) override
+      {
+        state.t += dt;
+        sizes.push_back(dt);
+        return {};
+      }
+      void save(Archive &) const override {}
+      void load(const Archive &) override {}
+
+      std::vector<double> sizes;
+    };
+  } // namespace
+
+  Experiment::Experiment(scene::Node scene)
+    : scene_(std::move(scene))
+    , assembled_(system_entry(scene_.section("system").text("type"), scene_.section("system").where("type")).make(scene_.section("system"), ledger_))
+    , method_(integrator_entry(scene_.section("integrator").text("type")))
+    , settings_(loop_settings(scene_.section("time")))
+    , linear_(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"), ledger_)
+    , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
+  {
+    refuse_ignored_inertia();
+    control_ = make_step_control(scene_.section("time"));
+    integrator_ =
+      method_.make(scene_.section("integrator"), IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(scene_.section("time")), ledger_});
+  }
+
+  void Experiment::refuse_ignored_inertia() const
+  {
+    if (!method_.facts.dynamic && assembled_.system->capabilities().inertia)
+      scene_.section("integrator")
+        .refuse("type", "\"" + method_.facts.name + "\" ignores inertia, but the system has it", "an integrator for dynamics",
+                "or a system without inertia, where it can be without");
+  }
+
+  void Experiment::run(const std::vector<Observer *> &observers)
+  {
+    State state = assembled_.system->initial_state(settings_.start);
+    run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_);
+  }
+
+  std::vector<double> Experiment::planned_steps() const
+  {
+    DryIntegrator                      dry;
+    WorkLedger                         unused;
+    const std::unique_ptr<StepControl> control = make_step_control(scene_.section("time"));
+    State                              state   = assembled_.system->initial_state(settings_.start);
+    run_loop(*assembled_.system, dry, *control, settings_, state, {}, unused);
+    return dry.sizes;
+  }
+} // namespace myolines

@@ -1,0 +1,295 @@
+#include <myolines/base/error.h>
+#include <myolines/base/names.h>
+#include <myolines/cli/catalogue.h>
+#include <myolines/cli/flexodeal.h>
+#include <myolines/cli/prm_file.h>
+#include <myolines/muscle3d/parameters.h>
+#include <myolines/output/text_file.h>
+#include <myolines/scene/numbers.h>
+#include <myolines/time/step_control.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    using scene::format_number;
+    using scene::parse_number;
+    using scene::trimmed;
+    using Settings = std::vector<scene::Setting>;
+
+    /// An entry of the peer's file: where it goes, or why it goes nowhere.
+    struct Rule
+    {
+      const char *section;
+      const char *name;
+      const char *path = ""; ///< of the parameter that takes the text as it is; "" if it is handled by itself
+      const char *lost = ""; ///< why it has no counterpart
+    };
+
+    const char *const own_solver   = "the solvers here have settings of their own";
+    const char *const other_output = "outputs are chosen in the list \"output\"";
+
+    const std::vector<Rule> rules{
+      {"Finite element system", "Polynomial degree", "system/discretisation/degree"},
+      {"Finite element system", "Quadrature order", "system/discretisation/quadrature points"},
+      {"Finite element system", "Type of simulation", "system/inertia"},
+      {"Geometry", "Global refinement"},
+      {"Geometry", "Length"},
+      {"Geometry", "Width"},
+      {"Geometry", "Height"},
+      {"Geometry", "Grid scale"},
+      {"Geometry", "Pressure ratio p/p0", "", "imported scenes have no pressure load"},
+      {"Linear solver", "Max iteration multiplier", "", own_solver},
+      {"Linear solver", "Residual", "", own_solver},
+      {"Linear solver", "Use static condensation", "", "pressure and dilatation are always eliminated"},
+      {"Linear solver", "Preconditioner type", "", own_solver},
+      {"Linear solver", "Preconditioner relaxation", "", own_solver},
+      {"Linear solver", "Solver type", "", own_solver},
+      {"Materials", "Muscle density", "system/tissues/muscle/density"},
+      {"Materials", "Sigma naught muscle", "system/tissues/muscle/fibre/maximum isometric stress"},
+      {"Materials", "Bulk modulus muscle", "system/tissues/muscle/bulk modulus"},
+      {"Materials", "Max strain rate", "system/tissues/muscle/fibre/maximum strain rate"},
+      {"Materials", "Muscle x component", "system/fibres/x"},
+      {"Materials", "Muscle y component", "system/fibres/y"},
+      {"Materials", "Muscle z component", "system/fibres/z"},
+      {"Materials", "Sigma naught base material", "system/tissues/muscle/base/stress scale"},
+      {"Materials", "Muscle base material factor", "system/tissues/muscle/base/factor"},
+      {"Materials", "Muscle base material constant 1", "system/tissues/muscle/base/c1"},
+      {"Materials", "Muscle base material constant 2", "system/tissues/muscle/base/c2"},
+      {"Materials", "Muscle base material constant 3", "system/tissues/muscle/base/c3"},
+      {"Nonlinear solver", "Nonlinear solver type", "", own_solver},
+      {"Nonlinear solver", "Max iterations Newton-Raphson", "solver/nonlinear/maximum iterations"},
+      {"Nonlinear solver", "Tolerance displacement", "", "convergence is judged by the residual"},
+      {"Nonlinear solver", "Tolerance force", "solver/nonlinear/absolute tolerance"},
+      {"Time", "End time"},
+      {"Time", "Time step size"},
+      {"Prescribed displacement", "Pulling face ID"},
+      {"Measuring locations", "Markers list file"},
+      {"Output binary files", "Output binary files main variables", "", other_output},
+      {"Output binary files", "Output binary files tensors", "", other_output},
+    };
+
+    /// The peer's parameters, each known and there.
+    class PeerParameters
+    {
+    public:
+      explicit PeerParameters(const std::filesystem::path &file)
+        : file_(file.string())
+        , entries_(read_prm(file))
+      {
+        std::vector<InputProblem> problems;
+        refuse_unknown(problems);
+        refuse_missing(problems);
+        if (!problems.empty())
+          throw InputError(problems);
+      }
+
+      const PrmEntry *find(const std::string &section, const std::string &name) const
+      {
+        for (const PrmEntry &entry : entries_)
+          if (entry.section == section && entry.name == name)
+            return &entry;
+        return nullptr;
+      }
+
+      const std::string &text(const std::string &section, const std::string &name) const { return find(section, name)->text; }
+
+      double positive(const std::string &section, const std::string &name) const
+      {
+        const auto value = parse_number(text(section, name));
+        if (!value || !(*value > 0))
+          refuse(section, name, "a number > 0");
+        return *value;
+      }
+
+      int integer(const std::string &section, const std::string &name, const int low, const int high) const
+      {
+        const auto value = scene::parse_integer(text(section, name));
+        if (!value || *value < low || *value > high)
+          refuse(section, name, "an integer in [" + std::to_string(low) + ", " + std::to_string(high) + "]");
+        return *value;
+      }
+
+      [[noreturn]] void refuse(const std::string &section, const std::string &name, const std::string &expected) const
+      {
+        const PrmEntry &entry = *find(section, name);
+        throw InputError(InputProblem{file_ + ", line " + std::to_string(entry.line), name + " = \"" + entry.text + "\" cannot be carried over", expected, ""});
+      }
+
+    private:
+      void refuse_unknown(std::vector<InputProblem> &problems) const
+      {
+        for (const PrmEntry &entry : entries_)
+          {
+            bool                     known = false;
+            std::vector<std::string> names;
+            for (const Rule &rule : rules)
+              {
+                known = known || (entry.section == rule.section && entry.name == rule.name);
+                if (entry.section == rule.section)
+                  names.push_back(rule.name);
+              }
+            const std::string nearest = nearest_name(entry.name, names);
+            if (!known)
+              problems.push_back({file_ + ", line " + std::to_string(entry.line), "unknown entry \"" + entry.name + "\" in subsection \"" + entry.section + "\"",
+                                  "an entry of Flexodeal Lite", nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+          }
+      }
+
+      /// What is not carried over may be absent.
+      void refuse_missing(std::vector<InputProblem> &problems) const
+      {
+        const unsigned int last = entries_.empty() ? 1 : entries_.back().line;
+        for (const Rule &rule : rules)
+          if (rule.lost[0] == '\0' && std::string(rule.name) != "Markers list file" && find(rule.section, rule.name) == nullptr)
+            problems.push_back({file_ + ", line " + std::to_string(last), std::string("up to here, \"") + rule.name + "\" of subsection \"" + rule.section + "\" is not set",
+                                "set " + std::string(rule.name) + " = VALUE", ""});
+      }
+
+      std::string           file_;
+      std::vector<PrmEntry> entries_;
+    };
+
+    /// The lines of @p file as words, @p n_words each; all but the first @p n_names of them numbers.
+    std::vector<std::string> read_rows(const std::filesystem::path &file, const unsigned int n_names, const unsigned int n_words, const std::string &expected)
+    {
+      std::ifstream stream(file);
+      if (!stream || std::filesystem::is_directory(file))
+        throw InputError(InputProblem{file.string(), "the file cannot be read", "lines of " + expected, ""});
+      std::vector<std::string> rows;
+      unsigned int             number = 0;
+      for (std::string line; std::getline(stream, line);)
+        {
+          ++number;
+          std::istringstream       words(line.substr(0, line.find('#')));
+          std::vector<std::string> row;
+          for (std::string word; words >> word;)
+            row.push_back(word);
+          if (row.empty())
+            continue;
+          bool good = row.size() == n_words;
+          for (unsigned int i = n_names; i < row.size(); ++i)
+            good = good && parse_number(row[i]);
+          if (!good)
+            throw InputError(InputProblem{file.string() + ", line " + std::to_string(number), "\"" + trimmed(line) + "\" is not understood", expected, ""});
+          rows.push_back(join(row, " "));
+        }
+      return rows;
+    }
+
+    void add_profile(Settings &settings, const std::string &path, const std::filesystem::path &file)
+    {
+      settings.push_back({path + "/type", "control points"});
+      settings.push_back({path + "/points", join(read_rows(file, 0, 2, "\"t value\", two finite numbers"), "; ")});
+    }
+
+    void add_geometry(Settings &settings, const PeerParameters &peer)
+    {
+      const double scale = peer.positive("Geometry", "Grid scale");
+      for (const auto &[name, path] : {std::pair("Length", "length"), std::pair("Width", "width"), std::pair("Height", "height")})
+        settings.push_back({std::string("system/geometry/") + path, format_number(scale * peer.positive("Geometry", name))});
+      // the peer refines at least once
+      settings.push_back({"system/geometry/refinement", std::to_string(std::max(1, peer.integer("Geometry", "Global refinement", 0, 8)))});
+    }
+
+    /// The line of action of the peer is x, so its ends are the faces 0 and 1.
+    void add_boundary(Settings &settings, const PeerParameters &peer, const std::filesystem::path &strain)
+    {
+      const int         face   = peer.integer("Prescribed displacement", "Pulling face ID", 0, 1);
+      const std::string moving = "system/boundary/moving end", fixed = "system/boundary/fixed end";
+      settings.push_back({moving + "/face", face == 1 ? "x+" : "x-"});
+      settings.push_back({moving + "/type", "strain"});
+      settings.push_back({moving + "/components", "x y z"});
+      settings.push_back({moving + "/direction", face == 1 ? "1 0 0" : "-1 0 0"});
+      add_profile(settings, moving + "/strain", strain);
+      settings.push_back({fixed + "/face", face == 1 ? "x-" : "x+"});
+      settings.push_back({fixed + "/type", "fixed"});
+      settings.push_back({fixed + "/components", "x y z"});
+    }
+
+    double schedule_length(const std::string &steps)
+    {
+      const scene::Node node = scene::compose_scene(time_schema(), {{"steps", steps}, {"end", "1"}}, "command line: --steps");
+      double            sum  = 0;
+      for (const SchedulePiece &piece : parse_schedule(steps, node, "steps"))
+        sum += piece.count * piece.size;
+      return sum;
+    }
+
+    void add_time(Settings &settings, const PeerParameters &peer, const std::string &steps, std::ostream &out)
+    {
+      const double step = peer.positive("Time", "Time step size"), peer_end = peer.positive("Time", "End time");
+      const double whole = std::floor(peer_end / step + 1e-6);
+      if (steps.empty() && whole < 1)
+        peer.refuse("Time", "End time", "at least one time step");
+      settings.push_back({"time/end", format_number(steps.empty() ? whole * step : schedule_length(steps))});
+      settings.push_back(steps.empty() ? scene::Setting{"time/step", peer.text("Time", "Time step size")} : scene::Setting{"time/steps", steps});
+      settings.push_back({"time/boundary rates", "scheme"});
+      settings.push_back({"time/events", "land"});
+      if (!steps.empty())
+        out << "replaced by --steps: Time / Time step size = " << peer.text("Time", "Time step size") << ", End time = " << peer.text("Time", "End time") << "\n";
+    }
+
+    void name_what_is_lost(const PeerParameters &peer, const bool markers, std::ostream &out)
+    {
+      for (const Rule &rule : rules)
+        if (const PrmEntry *entry = peer.find(rule.section, rule.name); entry != nullptr && rule.lost[0] != '\0')
+          out << "not carried over: " << rule.section << " / " << rule.name << " = " << entry->text << " (" << rule.lost << ")\n";
+      if (const PrmEntry *entry = peer.find("Measuring locations", "Markers list file"); entry != nullptr && !markers)
+        out << "not carried over: Measuring locations / Markers list file = " << entry->text << " (give the file with --markers)\n";
+    }
+
+    Settings translate(const FlexodealOptions &options, const PeerParameters &peer, std::ostream &out)
+    {
+      const std::string inertia = peer.text("Finite element system", "Type of simulation");
+      Settings          settings{{"title", "Imported from " + options.parameters.filename().string()},
+                        {"system/type", "muscle 3d"},
+                        {"integrator/type", inertia == "dynamic" ? "backward euler" : "static"},
+                        {"solver/nonlinear/relative tolerance", "1e-10"}, // so that the absolute one decides, as in the peer
+                        {"output/series/slab", "whole cells"},
+                        {"system/fibres/type", "direction"}};
+      for (const Rule &rule : rules)
+        if (rule.path[0] != '\0')
+          settings.push_back({rule.path, peer.text(rule.section, rule.name)});
+      add_geometry(settings, peer);
+      add_boundary(settings, peer, options.strain);
+      add_profile(settings, "system/activation", options.activation);
+      add_time(settings, peer, options.steps, out);
+      if (!options.markers.empty())
+        settings.push_back({"output/series/markers", join(read_rows(options.markers, 1, 4, "\"name x y z\" with coordinates in metres"), "; ")});
+      return settings;
+    }
+
+    /// The text of the scene, read back through the validation that `run` does.
+    std::string validated(const Settings &settings, const std::string &name)
+    {
+      const scene::Schema schema = root_schema(system_entry("muscle 3d", name));
+      const std::string   xml    = scene::written_xml(scene::compose_scene(schema, settings, name));
+      const scene::Node   again  = scene::parse_scene(xml, schema, name);
+      read_muscle3d(again.section("system"));
+      make_step_control(again.section("time"));
+      return xml;
+    }
+  } // namespace
+
+  void import_flexodeal(const FlexodealOptions &options, std::ostream &out)
+  {
+    const PeerParameters peer(options.parameters);
+    const std::string    xml = validated(translate(options, peer, out), options.scene.string());
+    try
+      {
+        replace_file(options.scene, xml);
+      }
+    catch (const std::exception &error)
+      {
+        throw InputError(InputProblem{options.scene.string(), error.what(), "a path in a folder that exists and can be written", ""});
+      }
+    name_what_is_lost(peer, !options.markers.empty(), out);
+    out << "scene written: " << options.scene.string() << "\n";
+  }
+} // namespace myolines

@@ -1,0 +1,153 @@
+#include <myolines/base/error.h>
+#include <myolines/base/names.h>
+#include <myolines/cli/catalogue.h>
+#include <myolines/cli/commands.h>
+#include <myolines/solve/linear_solver.h>
+#include <myolines/system/drive.h>
+#include <myolines/time/integrator.h>
+
+namespace myolines
+{
+  namespace
+  {
+    using scene::Schema;
+
+    struct Item
+    {
+      std::string name;
+      std::string summary;
+      std::string details; ///< indented lines
+    };
+    using Items = std::vector<Item>;
+
+    std::string facts_text(const MethodFacts &facts)
+    {
+      std::string text;
+      if (facts.order > 0)
+        text += "  order " + std::to_string(facts.order) + ", " + facts.stability + "\n";
+      text += facts.dynamic ? "" : "  ignores inertia and rates\n";
+      text += "  reference: " + facts.reference + "\n";
+      text += facts.restart == MethodFacts::Restart::exact ? "  restart: exact\n" : "  restart: reinitialised, the history is lost\n";
+      return text;
+    }
+
+    Items integrators()
+    {
+      Items items;
+      for (const IntegratorEntry &entry : integrator_registry())
+        items.push_back({entry.facts.name, entry.facts.summary, facts_text(entry.facts) + describe(entry.schema)});
+      return items;
+    }
+
+    Items systems()
+    {
+      Items items;
+      for (const SystemEntry &entry : system_catalogue())
+        items.push_back({entry.name, entry.schema.doc(), describe(entry.schema)});
+      return items;
+    }
+
+    Items sections(const Schema &schema)
+    {
+      Items items;
+      for (const Schema::Section &section : schema.sections())
+        items.push_back({section.name, section.schema->doc(), describe(*section.schema)});
+      return items;
+    }
+
+    Items tissues()
+    {
+      for (const Schema::Section &section : system_entry("muscle 3d", "catalogue").schema.sections())
+        if (section.name == "tissues")
+          return sections(*section.schema);
+      throw std::logic_error("the muscle has no list of tissues");
+    }
+
+    /// The alternatives of the variant of @p schema; its own parameters, which all of them share, follow each.
+    Items alternatives(const Schema &schema)
+    {
+      Items items;
+      for (const auto &[name, alternative] : schema.variant()->alternatives)
+        items.push_back({name, alternative->doc(), describe(*alternative)});
+      return items;
+    }
+
+    Items outputs()
+    {
+      Items items;
+      for (const SystemEntry &entry : system_catalogue())
+        for (const Item &item : sections(entry.output))
+          items.push_back({item.name + " of " + entry.name, item.summary, item.details});
+      return items;
+    }
+
+    const std::vector<std::pair<std::string, std::function<Items()>>> &topics()
+    {
+      static const std::vector<std::pair<std::string, std::function<Items()>>> all{
+        {"integrators", integrators},
+        {"systems", systems},
+        {"tissues", tissues},
+        {"profiles", [] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); }},
+        {"preconditioners", [] { return alternatives(LinearSolver::preconditioner_schema()); }},
+        {"outputs", outputs}};
+      return all;
+    }
+
+    [[noreturn]] void refuse(const std::string &what, const std::string &name, const std::vector<std::string> &known)
+    {
+      const std::string nearest = nearest_name(name, known);
+      throw InputError(InputProblem{"command line", "unknown " + what + " \"" + name + "\"", "one of " + join(known),
+                                    nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+    }
+
+    template <typename Things, typename NameOf>
+    std::vector<std::string> names_of(const Things &things, const NameOf &name_of)
+    {
+      std::vector<std::string> names;
+      for (const auto &thing : things)
+        names.push_back(name_of(thing));
+      return names;
+    }
+  } // namespace
+
+  std::vector<std::string> list_topics()
+  {
+    return names_of(topics(), [](const auto &topic) { return topic.first; });
+  }
+
+  void list_command(const std::string &topic, const std::string &name, std::ostream &out)
+  {
+    for (const auto &[known, make_items] : topics())
+      if (known == topic)
+        {
+          const Items items = make_items();
+          for (const Item &item : items)
+            if (name.empty() || name == item.name)
+              out << item.name << "\n    " << item.summary << "\n" << (name.empty() ? "" : item.details);
+          const std::vector<std::string> names = names_of(items, [](const Item &item) { return item.name; });
+          if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+            refuse("name in " + topic + ":", name, names);
+          return;
+        }
+    refuse("topic", topic, list_topics());
+  }
+
+  void template_command(const std::string &system, const std::string &integrator, std::ostream &out)
+  {
+    const SystemEntry &            entry   = system_entry(system, "command line");
+    const std::vector<std::string> methods = names_of(integrator_registry(), [](const IntegratorEntry &e) { return e.facts.name; });
+    const std::string              method  = integrator.empty() ? "backward euler" : integrator;
+    if (std::find(methods.begin(), methods.end(), method) == methods.end())
+      refuse("integrator", method, methods);
+
+    std::vector<scene::Setting> settings = entry.example;
+    settings.insert(settings.begin(), {{"system/type", entry.name}, {"integrator/type", method}});
+    if (!integrator_entry(method).facts.dynamic)
+      {
+        if (entry.without_inertia.empty())
+          throw InputError(InputProblem{"command line", "\"" + method + "\" ignores inertia, which the system \"" + system + "\" cannot be without", "an integrator for dynamics", ""});
+        settings.insert(settings.end(), entry.without_inertia.begin(), entry.without_inertia.end());
+      }
+    out << scene::template_xml(root_schema(entry), settings);
+  }
+} // namespace myolines

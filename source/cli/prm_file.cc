@@ -1,0 +1,95 @@
+#include <myolines/base/error.h>
+#include <myolines/base/names.h>
+#include <myolines/cli/prm_file.h>
+#include <myolines/scene/numbers.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace myolines
+{
+  namespace
+  {
+    using scene::trimmed;
+
+    class PrmReader
+    {
+    public:
+      explicit PrmReader(std::string file)
+        : file_(std::move(file))
+      {}
+
+      void take(const std::string &text, const unsigned int line)
+      {
+        const std::string statement = trimmed(text.substr(0, text.find('#')));
+        const auto        blank     = statement.find_first_of(" \t");
+        const std::string word      = statement.substr(0, blank);
+        const std::string rest      = blank == std::string::npos ? "" : trimmed(statement.substr(blank));
+        if (statement.empty())
+          return;
+        if (word == "subsection" && !rest.empty())
+          sections_.push_back(rest);
+        else if (word == "end" && rest.empty() && !sections_.empty())
+          sections_.pop_back();
+        else if (word == "set" && rest.find('=') != std::string::npos)
+          set(rest, line);
+        else
+          problem(line, "\"" + statement + "\" is not understood", "subsection NAME, set NAME = VALUE, end, or a comment");
+      }
+
+      std::vector<PrmEntry> finish(const unsigned int line)
+      {
+        if (!sections_.empty())
+          problem(line, "the subsection \"" + sections_.back() + "\" is not closed", "end");
+        if (!problems_.empty())
+          throw InputError(problems_);
+        return entries_;
+      }
+
+    private:
+      void set(const std::string &assignment, const unsigned int line)
+      {
+        const auto     equals = assignment.find('=');
+        const PrmEntry entry{join(sections_, "/"), trimmed(assignment.substr(0, equals)), trimmed(assignment.substr(equals + 1)), line};
+        const auto     same =
+          std::find_if(entries_.begin(), entries_.end(), [&entry](const PrmEntry &e) { return e.section == entry.section && e.name == entry.name; });
+        if (same != entries_.end())
+          problem(line, "\"" + entry.name + "\" is set again, after line " + std::to_string(same->line), "every entry once");
+        entries_.push_back(entry);
+      }
+
+      void problem(const unsigned int line, const std::string &what, const std::string &expected)
+      {
+        problems_.push_back({file_ + ", line " + std::to_string(line), what, expected, ""});
+      }
+
+      std::string               file_;
+      std::vector<std::string>  sections_;
+      std::vector<PrmEntry>     entries_;
+      std::vector<InputProblem> problems_;
+    };
+  } // namespace
+
+  std::vector<PrmEntry> read_prm(const std::filesystem::path &file)
+  {
+    std::ifstream stream(file);
+    if (!stream || std::filesystem::is_directory(file))
+      throw InputError(InputProblem{file.string(), "the file cannot be read", "a parameter file of Flexodeal Lite", ""});
+    PrmReader    reader(file.string());
+    unsigned int line = 0;
+    std::string  statement;
+    for (std::string text; std::getline(stream, text);)
+      {
+        ++line;
+        text = trimmed(text);
+        if (!text.empty() && text.back() == '\\')
+          {
+            statement += text.substr(0, text.size() - 1) + " ";
+            continue;
+          }
+        reader.take(statement + text, line);
+        statement.clear();
+      }
+    return reader.finish(line);
+  }
+} // namespace myolines

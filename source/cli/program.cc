@@ -1,0 +1,166 @@
+#include <myolines/base/error.h>
+#include <myolines/base/names.h>
+#include <myolines/cli/commands.h>
+#include <myolines/cli/flexodeal.h>
+#include <myolines/cli/program.h>
+#include <myolines/output/text_file.h>
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <iostream>
+
+namespace myolines
+{
+  namespace
+  {
+    /// The commands with the places their arguments are parsed into. `chosen` is the one to run.
+    class CommandLine
+    {
+    public:
+      explicit CommandLine(std::ostream &out)
+        : out_(out)
+      {
+        app.require_subcommand(1);
+        app.footer("Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed.");
+        add_run();
+        add_check();
+        add_list();
+        add_template();
+        add_import();
+      }
+
+      CLI::App              app{"Myolines: muscle dynamics, one system and one integrator at a time", "myolines"};
+      std::function<void()> chosen;
+      RunOptions            run;
+
+    private:
+      CLI::App *add(CLI::App &parent, const std::string &name, const std::string &doc, std::function<void()> action)
+      {
+        CLI::App *command = parent.add_subcommand(name, doc);
+        command->callback([this, action] { chosen = action; });
+        return command;
+      }
+
+      void add_overrides(CLI::App *command)
+      {
+        command->add_option("--set", run.overrides, "Overrides a value of the scene: \"time/step=1e-3\"; may be repeated")->allow_extra_args(false)->type_name("PATH=VALUE");
+      }
+
+      void add_run()
+      {
+        CLI::App *command = add(app, "run", "Runs a scene", [this] { run_command(run, out_); });
+        command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        command->add_option("--out", run.folder, "Where to write; default: results/ and the name of the scene")->type_name("DIR");
+        command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
+        add_overrides(command);
+      }
+
+      void add_check()
+      {
+        CLI::App *command = add(app, "check", "Validates a scene and says what a run would do", [this] { check_command(run.scene, run.overrides, out_); });
+        command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        add_overrides(command);
+      }
+
+      void add_list()
+      {
+        CLI::App *command = add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] { list_command(topic_, name_, out_); });
+        command->add_option("topic", topic_, join(list_topics()))->required()->type_name("TOPIC");
+        command->add_option("name", name_, "Everything about this one")->type_name("NAME");
+      }
+
+      void add_template()
+      {
+        CLI::App *command = add(app, "template", "Prints a complete, commented scene to start from", [this] { template_command(topic_, name_, out_); });
+        command->add_option("system", topic_, "Kind of system, see: list systems")->required()->type_name("SYSTEM");
+        command->add_option("integrator", name_, "Method, see: list integrators")->type_name("INTEGRATOR");
+      }
+
+      void add_import()
+      {
+        CLI::App *import = app.add_subcommand("import", "Makes a scene of the files of another program")->require_subcommand(1);
+        CLI::App *command = add(*import, "flexodeal", "Makes a scene of the files of Flexodeal Lite", [this] { import_flexodeal(flexodeal_, out_); });
+        command->add_option("parameters", flexodeal_.parameters, "Its parameters")->required()->type_name("PARAMETERS.prm");
+        command->add_option("strain", flexodeal_.strain, "Control points of the strain")->required()->type_name("STRAIN.dat");
+        command->add_option("activation", flexodeal_.activation, "Control points of the activation")->required()->type_name("ACTIVATION.dat");
+        command->add_option("--out", flexodeal_.scene, "The scene to write")->required()->type_name("SCENE.xml");
+        command->add_option("--markers", flexodeal_.markers, "Its list of markers")->type_name("FILE");
+        command->add_option("--steps", flexodeal_.steps, "Schedule of steps instead of its step size: \"4 x 0.025; 8 x 0.0125\"")->type_name("STEPS");
+      }
+
+      std::ostream &   out_;
+      std::string      topic_, name_;
+      FlexodealOptions flexodeal_;
+    };
+
+    std::string joined(const int argc, const char *const *argv)
+    {
+      std::string text;
+      for (int i = 0; i < argc; ++i)
+        text += (i > 0 ? " " : "") + std::string(argv[i]);
+      return text;
+    }
+
+    int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out, std::ostream &err)
+    {
+      if (app.exit(error, out, err) == 0)
+        return static_cast<int>(ExitCode::done);
+      std::vector<std::string> commands;
+      for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
+        commands.push_back(command->get_name());
+      if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
+        {
+          const std::string nearest = nearest_name(argv[1], commands);
+          err << "unknown command \"" << argv[1] << "\"\n  expected: one of " << join(commands) << "\n";
+          if (!nearest.empty())
+            err << "  hint: nearest valid name: \"" << nearest << "\"\n";
+        }
+      return static_cast<int>(ExitCode::invalid_input);
+    }
+
+    ExitCode guarded(const std::function<void()> &command, std::ostream &err)
+    {
+      try
+        {
+          command();
+          return ExitCode::done;
+        }
+      catch (const InputError &error)
+        {
+          err << error.what() << std::endl;
+          return ExitCode::invalid_input;
+        }
+      catch (const SolveError &error)
+        {
+          err << "The solve failed: " << error.what() << "\n"
+              << "What was computed before is in the output folder; run.log there tells how the steps went.\n"
+              << "To try: a smaller time/step, time/control of type \"cut back\", more solver/nonlinear/\"maximum iterations\"." << std::endl;
+          return ExitCode::solve_failed;
+        }
+      catch (const std::exception &error)
+        {
+          err << "Internal error: " << error.what() << std::endl;
+          return ExitCode::internal_error;
+        }
+    }
+  } // namespace
+
+  int program(const int argc, const char *const *argv)
+  {
+    std::ostream  nowhere(nullptr);
+    std::ostream &out = writes_files() ? std::cout : nowhere;
+    std::ostream &err = writes_files() ? std::cerr : nowhere;
+    CommandLine   line(out);
+    try
+      {
+        line.app.parse(argc, argv);
+      }
+    catch (const CLI::ParseError &error)
+      {
+        return refuse_command_line(line.app, error, argc, argv, out, err);
+      }
+    line.run.command_line = joined(argc, argv);
+    return static_cast<int>(guarded(line.chosen, err));
+  }
+} // namespace myolines

@@ -1,0 +1,155 @@
+#include "point_states.h"
+
+#include <myolines/muscle3d/loads.h>
+
+namespace myolines
+{
+  namespace
+  {
+    /// Whether points or cells are in the slab X_1 in [3/8 L, 5/8 L].
+    class Slab
+    {
+    public:
+      Slab(const Muscle3dSystem &system, const SlabRule rule)
+        : length_(system.parameters().geometry.size[0])
+        , rule_(rule)
+        , element_(system.discretisation().element)
+      {}
+
+      bool contains(const NodeSpace::Cell &cell, const int q) const
+      {
+        if (rule_ == SlabRule::whole_cells)
+          return inside(cell->center()[0], 0.); // exact comparison, as the peer
+        const int              n = element_.n_points_1d;
+        const dealii::Point<3> unit(element_.point[q % n], element_.point[(q / n) % n], element_.point[q / (n * n)]);
+        double                 x = 0;
+        for (const unsigned int v : cell->vertex_indices())
+          x += dealii::GeometryInfo<3>::d_linear_shape_function(unit, v) * cell->vertex(v)[0];
+        return inside(x, 1e-12 * length_);
+      }
+
+    private:
+      bool inside(const double x, const double tolerance) const { return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance; }
+
+      double         length_;
+      SlabRule       rule_;
+      const Element &element_;
+    };
+
+    void add_energies(const Muscle3dParameters &parameters, const double activation, const PointState &p, BodyMeasures &m)
+    {
+      const TissueParameters &tissue = parameters.tissue;
+      const double            lam    = p.isochoric_stretch;
+      const double            I1     = std::pow(p.J, -2. / 3) * p.F.norm_square() - 3;
+      const double            D      = p.dilatation;
+      m.stored_volumetric += p.JxW * tissue.bulk_modulus / 4 * (D * D - 2 * std::log(D) - 1);
+      m.stored_base += p.JxW * tissue.base.scale * I1 * (tissue.base.c[0] + I1 * (tissue.base.c[1] + I1 * tissue.base.c[2]));
+      m.stored_passive += p.JxW * tissue.fibre.sigma0 * curves::passive_energy(lam);
+      if (parameters.dynamic)
+        m.kinetic += p.JxW * tissue.density / 2 * p.velocity.norm_square();
+      if (activation != 0)
+        {
+          const double power = p.JxW * tissue.fibre.sigma0 * activation * curves::active(lam).value * p.isochoric_rate / lam;
+          m.active_power -= power;
+          if (parameters.dynamic && tissue.fibre.force_velocity)
+            m.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate).value - 1);
+        }
+
+      const Matrix3        gradient = p.F - Matrix3(dealii::unit_symmetric_tensor<3>());
+      const Parts<Matrix3> P        = stress_parts(parameters, activation, p);
+      // (Grad U) F^(-1) : tau with tau = P F^T
+      const auto density = [&](const Matrix3 &stress) { return p.JxW * scalar_product(gradient * invert(p.F), stress * transpose(p.F)); };
+      m.work_density.volumetric += density(P.volumetric);
+      m.work_density.muscle_active += density(P.muscle_active);
+      m.work_density.muscle_passive += density(P.muscle_passive);
+      m.work_density.muscle_base += density(P.muscle_base);
+    }
+
+    /// Sums over all ranks; the slab sums are still volume integrals.
+    void reduce(BodyMeasures &m, const MPI_Comm communicator)
+    {
+      for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.active_power, &m.dissipation,
+                        &m.work_density.volumetric, &m.work_density.muscle_active, &m.work_density.muscle_passive, &m.work_density.muscle_base,
+                        &m.slab_volume, &m.mean_stretch, &m.mean_pennation, &m.mean_strain_rate, &m.mean_velocity[0], &m.mean_velocity[1],
+                        &m.mean_velocity[2], &m.l2_displacement, &m.l2_pressure})
+        *x = dealii::Utilities::MPI::sum(*x, communicator);
+      m.min_jacobian = dealii::Utilities::MPI::min(m.min_jacobian, communicator);
+      m.max_jacobian = dealii::Utilities::MPI::max(m.max_jacobian, communicator);
+    }
+  } // namespace
+
+  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, const SlabRule rule)
+  {
+    const Muscle3dParameters &parameters = system.parameters();
+    const double              activation = system.activation(state.t);
+    const Slab                slab(system, rule);
+    BodyMeasures              m;
+    m.min_jacobian = std::numeric_limits<double>::max();
+    m.max_jacobian = std::numeric_limits<double>::lowest();
+
+    PointStates(system, state).for_each([&](const NodeSpace::Cell &cell, const int q, const PointState &p) {
+      m.volume += p.JxW * p.J;
+      m.min_jacobian = std::min(m.min_jacobian, p.J);
+      m.max_jacobian = std::max(m.max_jacobian, p.J);
+      m.l2_displacement += p.JxW * p.displacement.norm_square();
+      m.l2_pressure += p.JxW * p.pressure * p.pressure;
+      add_energies(parameters, activation, p, m);
+      if (slab.contains(cell, q))
+        {
+          const double dv = p.JxW * p.J;
+          m.slab_volume += dv;
+          m.mean_stretch += dv * p.stretch;
+          m.mean_pennation += dv * std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI;
+          m.mean_strain_rate += dv * p.strain_rate;
+          m.mean_velocity += dv * p.velocity;
+        }
+    });
+    reduce(m, system.discretisation().communicator);
+
+    for (double *x : {&m.work_density.volumetric, &m.work_density.muscle_active, &m.work_density.muscle_passive, &m.work_density.muscle_base})
+      *x /= m.volume;
+    m.l2_displacement = std::sqrt(m.l2_displacement);
+    m.l2_pressure     = std::sqrt(m.l2_pressure);
+    if (m.slab_volume > 0)
+      {
+        m.mean_stretch /= m.slab_volume;
+        m.mean_pennation /= m.slab_volume;
+        m.mean_strain_rate /= m.slab_volume;
+        m.mean_velocity /= m.slab_volume;
+      }
+    if (system.loads().any_external())
+      {
+        m.traction_power   = system.loads().traction_power(state.t, state.v);
+        m.body_force_power = system.loads().body_force_power(state.t, state.v);
+      }
+    return m;
+  }
+
+  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state)
+  {
+    const NodeSpace &space = *system.discretisation().space;
+    Vector           r     = space.make_vector();
+    system.residual({state.t, Side::left, state.u, state.v, state.a}, r);
+
+    std::vector<Reaction> reactions;
+    for (const BoundaryCondition &condition : system.parameters().boundary)
+      {
+        if (condition.type == BoundaryCondition::Type::traction)
+          continue;
+        Reaction reaction;
+        reaction.condition = condition.name;
+        for (const auto node : space.face_nodes(condition.face))
+          for (unsigned int c = 0; c < 3; ++c)
+            if (condition.components[c] && space.owned_unknowns().is_element(3 * node + c))
+              {
+                reaction.force[c] += r(3 * node + c);
+                reaction.power += r(3 * node + c) * state.v(3 * node + c);
+              }
+        for (unsigned int c = 0; c < 3; ++c)
+          reaction.force[c] = dealii::Utilities::MPI::sum(reaction.force[c], space.communicator());
+        reaction.power = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
+        reactions.push_back(reaction);
+      }
+    return reactions;
+  }
+} // namespace myolines

@@ -1,0 +1,59 @@
+#include <myolines/muscle3d/discretisation.h>
+
+namespace myolines
+{
+  namespace
+  {
+    /// u = 0 relations for all prescribed components; g(t) is added by Muscle3dSystem::prescribed.
+    void constrain(const Muscle3dParameters &parameters, const NodeSpace &space, Constraints &constraints)
+    {
+      constraints.reinit(space.relevant_unknowns());
+      for (const BoundaryCondition &condition : parameters.boundary)
+        for (const auto node : space.face_nodes(condition.face))
+          for (unsigned int c = 0; c < 3; ++c)
+            if (condition.components[c])
+              constraints.add_line(3 * node + c);
+      constraints.close();
+    }
+  } // namespace
+
+  Muscle3dDiscretisation::Muscle3dDiscretisation(const Muscle3dParameters &parameters, const MPI_Comm comm, const InstructionSet set)
+    : communicator(comm)
+    , mesh(comm)
+    , element(parameters.degree, parameters.n_points)
+    , instruction_set(set)
+    , kernels(myolines::kernels(set, parameters.degree))
+    , tables{element.n_points_1d, element.n_modes, element.value.data(), element.derivative.data(), element.weights_3d.data(), element.modes.data()}
+    , scratch_(kernels.scratch_size(element.n_points_1d, element.n_modes))
+  {
+    make_block(mesh, parameters.geometry.size, parameters.geometry.cells, parameters.geometry.refinement);
+    set_up(parameters);
+  }
+
+  void Muscle3dDiscretisation::set_up(const Muscle3dParameters &parameters)
+  {
+    batches.reset();
+    space   = std::make_unique<NodeSpace>(mesh, parameters.degree);
+    batches = std::make_unique<CellBatches>(*space, element);
+    constrain(parameters, *space, constraints);
+  }
+
+  KernelCells Muscle3dDiscretisation::kernel_cells(const unsigned int b) const
+  {
+    return {batches->nodes(b), batches->geometry(b), batches->geometry_stride(b), batches->inverse_mode_mass(b), static_cast<int>(batches->n_filled(b))};
+  }
+
+  KernelModel kernel_model(const Muscle3dParameters &parameters, const double activation)
+  {
+    KernelModel model;
+    model.tissue = parameters.tissue;
+    for (int i = 0; i < 3; ++i)
+      model.fibre_direction[i] = parameters.fibre_direction[i];
+    model.activation    = activation;
+    model.active        = parameters.activation != nullptr && activation != 0;
+    model.rate          = model.active && parameters.dynamic && parameters.tissue.fibre.force_velocity;
+    model.inertia       = parameters.dynamic;
+    model.exact_tangent = parameters.exact_tangent;
+    return model;
+  }
+} // namespace myolines

@@ -1,0 +1,144 @@
+#include "point_states.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_tools.h>
+#include <deal.II/numerics/data_out.h>
+
+namespace myolines
+{
+  namespace
+  {
+    /// A field that lives at quadrature points: how many numbers, and which.
+    struct PointField
+    {
+      std::string                                                                  name;
+      std::function<double(const Muscle3dParameters &, double, const PointState &)> value;
+    };
+
+    Matrix3 cauchy(const Matrix3 &P, const PointState &p) { return P * transpose(p.F) / p.J; }
+
+    const std::vector<PointField> &point_fields()
+    {
+      using Parameters = Muscle3dParameters;
+      static const std::vector<PointField> fields{
+        {"pressure", [](const Parameters &, double, const PointState &p) { return p.pressure; }},
+        {"dilatation", [](const Parameters &, double, const PointState &p) { return p.dilatation; }},
+        {"jacobian", [](const Parameters &, double, const PointState &p) { return p.J; }},
+        {"stretch", [](const Parameters &, double, const PointState &p) { return p.stretch; }},
+        {"strain rate", [](const Parameters &, double, const PointState &p) { return p.strain_rate; }},
+        {"pennation", [](const Parameters &, double, const PointState &p) { return std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI; }},
+        {"fibre direction x", [](const Parameters &, double, const PointState &p) { return p.fibre[0] / p.stretch; }},
+        {"fibre direction y", [](const Parameters &, double, const PointState &p) { return p.fibre[1] / p.stretch; }},
+        {"fibre direction z", [](const Parameters &, double, const PointState &p) { return p.fibre[2] / p.stretch; }},
+        {"active stress", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_active, p).norm(); }},
+        {"passive stress", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_passive, p).norm(); }},
+        {"base stress", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_base, p).norm(); }},
+        {"stress xx", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).total(), p)[0][0]; }}};
+      return fields;
+    }
+
+    /// Cell-wise L2 projection of a point field onto discontinuous polynomials of the degree of the pressure, at least one.
+    Vector project(const Muscle3dSystem &system, const State &state, const PointField &field, const dealii::DoFHandler<3> &target)
+    {
+      const dealii::FiniteElement<3> &fe = target.get_fe();
+      const dealii::QGauss<3>         rule(system.discretisation().element.n_points_1d);
+      dealii::FullMatrix<double>      projection(fe.n_dofs_per_cell(), rule.size());
+      dealii::FETools::compute_projection_from_quadrature_points_matrix(fe, rule, rule, projection);
+
+      Vector values(target.locally_owned_dofs(), target.locally_owned_dofs(), target.get_communicator());
+      std::vector<dealii::types::global_dof_index> numbers(fe.n_dofs_per_cell());
+      const double                                 activation = system.activation(state.t);
+      PointStates(system, state).for_each([&](const NodeSpace::Cell &cell, const int q, const PointState &p) {
+        const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(), &target);
+        there->get_dof_indices(numbers);
+        const double x = field.value(system.parameters(), activation, p);
+        for (unsigned int i = 0; i < numbers.size(); ++i)
+          values(numbers[i]) += projection(i, q) * x;
+      });
+      values.compress(dealii::VectorOperation::add);
+      return values;
+    }
+
+    /// Copies a nodal vector to the numbering of a vector-valued element for output.
+    Vector to_vector_element(const NodeSpace &space, const Vector &x, const dealii::DoFHandler<3> &target)
+    {
+      const dealii::FiniteElement<3> &fe = target.get_fe();
+      dealii::IndexSet                relevant;
+      dealii::DoFTools::extract_locally_relevant_dofs(target, relevant);
+      Vector y(target.locally_owned_dofs(), relevant, target.get_communicator()), ghosted(x);
+      ghosted.update_ghost_values();
+      std::vector<dealii::types::global_dof_index> from(space.nodes().get_fe().n_dofs_per_cell()), to(fe.n_dofs_per_cell());
+      for (const auto &cell : space.nodes().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cell->get_dof_indices(from);
+            const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(), &target);
+            there->get_dof_indices(to);
+            for (unsigned int i = 0; i < to.size(); ++i)
+              if (target.locally_owned_dofs().is_element(to[i]))
+                {
+                  const auto [component, node] = fe.system_to_component_index(i);
+                  y(to[i])                     = ghosted(3 * from[node] + component);
+                }
+          }
+      y.update_ghost_values();
+      return y;
+    }
+  } // namespace
+
+  const std::vector<std::string> &field_names()
+  {
+    static const std::vector<std::string> names = [] {
+      std::vector<std::string> list{"displacement", "velocity"};
+      for (const PointField &field : point_fields())
+        list.push_back(field.name);
+      return list;
+    }();
+    return names;
+  }
+
+  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields, const std::string &folder, const unsigned int number)
+  {
+    const NodeSpace &         space = *system.discretisation().space;
+    const unsigned int        degree = space.degree();
+    const dealii::FESystem<3> vector_element(dealii::FE_Q<3>(degree), 3);
+    const dealii::FE_DGQ<3>   scalar_element(std::max(1u, degree - 1));
+    dealii::DoFHandler<3>     vectors(space.nodes().get_triangulation()), scalars(space.nodes().get_triangulation());
+    vectors.distribute_dofs(vector_element);
+    scalars.distribute_dofs(scalar_element);
+
+    dealii::DataOut<3>            out;
+    dealii::DataOutBase::VtkFlags flags(state.t, number);
+    flags.write_higher_order_cells = true;
+    out.set_flags(flags);
+    const std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> as_vector(3, dealii::DataComponentInterpretation::component_is_part_of_vector);
+    std::vector<std::unique_ptr<Vector>> data;
+    for (const std::string &name : fields)
+      if (name == "displacement" || name == "velocity")
+        {
+          data.push_back(std::make_unique<Vector>(to_vector_element(space, name == "displacement" ? state.u : state.v, vectors)));
+          out.add_data_vector(vectors, *data.back(), std::vector<std::string>(3, name), as_vector);
+        }
+      else
+        for (const PointField &field : point_fields())
+          if (field.name == name)
+            {
+              std::string label = name;
+              std::replace(label.begin(), label.end(), ' ', '_');
+              data.push_back(std::make_unique<Vector>(project(system, state, field, scalars)));
+              data.back()->update_ghost_values();
+              out.add_data_vector(scalars, *data.back(), label);
+            }
+    out.build_patches(degree);
+    if (dealii::Utilities::MPI::n_mpi_processes(space.communicator()) > 1)
+      return out.write_vtu_with_pvtu_record(folder + "/", "fields", number, space.communicator(), 4);
+    std::ostringstream name;
+    name << "fields-" << std::setw(4) << std::setfill('0') << number << ".vtu";
+    std::ofstream file(folder + "/" + name.str());
+    out.write_vtu(file);
+    return name.str();
+  }
+} // namespace myolines

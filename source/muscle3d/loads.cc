@@ -1,0 +1,164 @@
+#include <myolines/muscle3d/loads.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <muParser.h>
+
+namespace myolines
+{
+  struct VectorFormula::Parsers
+  {
+    std::array<mu::Parser, 3> parser;
+    double                    x = 0, y = 0, z = 0, t = 0;
+  };
+
+  VectorFormula::VectorFormula(const std::array<std::string, 3> &text)
+    : text_(text)
+    , parsers_(std::make_unique<Parsers>())
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        mu::Parser &parser = parsers_->parser[c];
+        parser.DefineVar("x", &parsers_->x);
+        parser.DefineVar("y", &parsers_->y);
+        parser.DefineVar("z", &parsers_->z);
+        parser.DefineVar("t", &parsers_->t);
+        parser.DefineConst("pi", 3.14159265358979323846);
+        parser.SetExpr(text[c]);
+      }
+  }
+
+  VectorFormula::~VectorFormula()                         = default;
+  VectorFormula::VectorFormula(VectorFormula &&) noexcept = default;
+
+  double VectorFormula::operator()(const unsigned int component, const dealii::Point<3> &x, const double t) const
+  {
+    parsers_->x = x[0];
+    parsers_->y = x[1];
+    parsers_->z = x[2];
+    parsers_->t = t;
+    return parsers_->parser[component].Eval();
+  }
+
+  Loads::Loads(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation)
+    : discretisation_(discretisation)
+  {
+    for (const BoundaryCondition &condition : parameters.boundary)
+      if (condition.type == BoundaryCondition::Type::traction)
+        tractions_.push_back({condition.face, VectorFormula(condition.traction)});
+      else
+        {
+          motions_.push_back({&condition, discretisation.space->face_nodes(condition.face), {}});
+          if (condition.type == BoundaryCondition::Type::formula)
+            for (const auto *text : {&condition.displacement, &condition.velocity, &condition.acceleration})
+              motions_.back().formulas.emplace_back(*text);
+        }
+    if (parameters.body_force)
+      body_force_ = std::make_unique<VectorFormula>(*parameters.body_force);
+  }
+
+  void Loads::prescribe(const double t, const Side side, State &state) const
+  {
+    for (const Motion &motion : motions_)
+      {
+        const BoundaryCondition &condition = *motion.condition;
+        std::array<double, 3>    strain{}; // value and two derivatives
+        if (condition.type == BoundaryCondition::Type::strain)
+          strain = {{condition.strain->value(t, side), condition.strain->first_derivative(t, side), condition.strain->second_derivative(t, side)}};
+        for (const auto node : motion.nodes)
+          for (unsigned int c = 0; c < 3; ++c)
+            if (condition.components[c])
+              {
+                const auto unknown = 3 * node + c;
+                for (unsigned int order = 0; order < 3; ++order)
+                  {
+                    double value = condition.reference_length * strain[order] * condition.direction[c];
+                    if (!motion.formulas.empty())
+                      value = motion.formulas[order](c, discretisation_.space->node_position(node), t);
+                    (order == 0 ? state.u : order == 1 ? state.v : state.a)(unknown) = value;
+                  }
+              }
+      }
+  }
+
+  void Loads::add_tractions(const double t, Vector &f) const
+  {
+    if (tractions_.empty())
+      return;
+    const NodeSpace &         space = *discretisation_.space;
+    const dealii::FiniteElement<3> &fe = space.nodes().get_fe();
+    dealii::FEFaceValues<3>   values(fe,
+                                   dealii::QGauss<2>(discretisation_.element.n_points_1d),
+                                   dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    std::vector<dealii::types::global_dof_index> nodes(fe.n_dofs_per_cell());
+    for (const Traction &traction : tractions_)
+      for (const auto &cell : space.nodes().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int face : cell->face_indices())
+            if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == traction.face)
+              {
+                values.reinit(cell, face);
+                cell->get_dof_indices(nodes);
+                for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+                  for (unsigned int c = 0; c < 3; ++c)
+                    if (!traction.formula.zero(c))
+                      {
+                        const double weighted = traction.formula(c, values.quadrature_point(q), t) * values.JxW(q);
+                        for (unsigned int i = 0; i < nodes.size(); ++i)
+                          f(3 * nodes[i] + c) += weighted * values.shape_value(i, q);
+                      }
+              }
+  }
+
+  void Loads::add_body_force(const double t, Vector &f) const
+  {
+    if (!body_force_)
+      return;
+    const NodeSpace &                            space = *discretisation_.space;
+    const dealii::FiniteElement<3> &             fe    = space.nodes().get_fe();
+    dealii::FEValues<3>                          values(fe,
+                               dealii::QGauss<3>(discretisation_.element.n_points_1d),
+                               dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    std::vector<dealii::types::global_dof_index> nodes(fe.n_dofs_per_cell());
+    for (const auto &cell : space.nodes().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          values.reinit(cell);
+          cell->get_dof_indices(nodes);
+          for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+            for (unsigned int c = 0; c < 3; ++c)
+              if (!body_force_->zero(c))
+                {
+                  const double weighted = (*body_force_)(c, values.quadrature_point(q), t) * values.JxW(q);
+                  for (unsigned int i = 0; i < nodes.size(); ++i)
+                    f(3 * nodes[i] + c) += weighted * values.shape_value(i, q);
+                }
+        }
+  }
+
+  void Loads::subtract_external(const double t, Vector &r) const
+  {
+    Vector f = discretisation_.space->make_vector();
+    add_tractions(t, f);
+    add_body_force(t, f);
+    f.compress(dealii::VectorOperation::add);
+    r -= f;
+  }
+
+  double Loads::traction_power(const double t, const Vector &v) const
+  {
+    Vector f = discretisation_.space->make_vector();
+    add_tractions(t, f);
+    f.compress(dealii::VectorOperation::add);
+    return f * v;
+  }
+
+  double Loads::body_force_power(const double t, const Vector &v) const
+  {
+    Vector f = discretisation_.space->make_vector();
+    add_body_force(t, f);
+    f.compress(dealii::VectorOperation::add);
+    return f * v;
+  }
+} // namespace myolines

@@ -1,0 +1,113 @@
+#include "muscle3d_linearisation.h"
+
+#include <myolines/fem/block_matrix.h>
+#include <myolines/muscle3d/loads.h>
+#include <myolines/muscle3d/muscle3d_system.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+namespace myolines
+{
+  Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, const MPI_Comm communicator, WorkLedger &ledger)
+    : parameters_(std::move(parameters))
+    , ledger_(ledger)
+    , discretisation_(std::make_unique<Muscle3dDiscretisation>(parameters_, communicator))
+    , loads_(std::make_unique<Loads>(parameters_, *discretisation_))
+  {}
+
+  Muscle3dSystem::~Muscle3dSystem() = default;
+
+  void Muscle3dSystem::move_mesh(const std::function<dealii::Point<3>(const dealii::Point<3> &)> &map)
+  {
+    loads_.reset();
+    dealii::GridTools::transform(map, discretisation_->mesh);
+    discretisation_->set_up(parameters_);
+    loads_ = std::make_unique<Loads>(parameters_, *discretisation_);
+  }
+
+  Capabilities Muscle3dSystem::capabilities() const
+  {
+    Capabilities c;
+    c.inertia           = parameters_.dynamic;
+    c.rates             = parameters_.dynamic && parameters_.activation && parameters_.tissue.fibre.force_velocity;
+    c.symmetric_tangent = !c.rates || !parameters_.exact_tangent;
+    c.energy            = true;
+    return c;
+  }
+
+  std::size_t Muscle3dSystem::n_unknowns() const { return discretisation_->space->owned_unknowns().size(); }
+
+  std::size_t Muscle3dSystem::n_cells() const { return discretisation_->mesh.n_global_active_cells(); }
+
+  double Muscle3dSystem::activation(const double t, const Side side) const { return parameters_.activation ? parameters_.activation->value(t, side) : 0.; }
+
+  State Muscle3dSystem::initial_state(const double t0) const
+  {
+    State state{t0, discretisation_->space->make_vector(), discretisation_->space->make_vector(), discretisation_->space->make_vector()};
+    prescribed(t0, Side::right, state);
+    return state;
+  }
+
+  const Constraints &Muscle3dSystem::constraints() const { return discretisation_->constraints; }
+
+  void Muscle3dSystem::prescribed(const double t, const Side side, State &state) const
+  {
+    for (Vector *x : {&state.u, &state.v, &state.a})
+      x->zero_out_ghost_values(); // entries can only be written while the ghosts are not "current"
+    loads_->prescribe(t, side, state);
+    for (Vector *x : {&state.u, &state.v, &state.a})
+      x->update_ghost_values();
+  }
+
+  Evaluation Muscle3dSystem::residual(const Point &point, Vector &r) const
+  {
+    WorkLedger::Timer timer(ledger_, "residual");
+    ledger_.count("residual evaluations");
+    const Muscle3dDiscretisation &d     = *discretisation_;
+    const KernelModel             model = kernel_model(parameters_, activation(point.t, point.side));
+    const CurrentGhosts           u(point.u), v(point.v, model.rate), a(point.a, model.inertia);
+
+    r.zero_out_ghost_values();
+    r          = 0;
+    bool valid = true;
+    for (unsigned int b = 0; b < d.batches->n_owned_batches() && valid; ++b)
+      valid = d.kernels.residual(d.tables, model, d.kernel_cells(b), u.begin(), v.begin(), a.begin(), r.begin(), d.scratch());
+    count_terms(model, "residual", ledger_);
+
+    if (dealii::Utilities::MPI::min(valid ? 1 : 0, d.communicator) == 0)
+      {
+        r.zero_out_ghost_values();
+        r = std::numeric_limits<double>::quiet_NaN();
+        return {false, "det F or the dilatation is not positive somewhere in the body"};
+      }
+    r.compress(dealii::VectorOperation::add);
+    if (loads_->any_external())
+      loads_->subtract_external(point.t, r);
+    return {};
+  }
+
+  std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const { return std::make_unique<Muscle3dLinearisation>(parameters_, *discretisation_, ledger_); }
+
+  void Muscle3dSystem::linearise(const Point &point, Linearisation &linearisation) const
+  {
+    dynamic_cast<Muscle3dLinearisation &>(linearisation).refill(point, activation(point.t, point.side));
+  }
+
+  std::vector<double> Muscle3dSystem::events(const double t0, const double t1) const
+  {
+    std::vector<double> times;
+    const auto          add = [&](const Drive &drive) {
+      const std::vector<double> kinks = drive.kinks(t0, t1);
+      times.insert(times.end(), kinks.begin(), kinks.end());
+    };
+    for (const BoundaryCondition &condition : parameters_.boundary)
+      if (condition.strain)
+        add(*condition.strain);
+    if (parameters_.activation)
+      add(*parameters_.activation);
+    std::sort(times.begin(), times.end());
+    const double tolerance = 1e-12 * std::max(std::abs(t0), std::abs(t1));
+    times.erase(std::unique(times.begin(), times.end(), [&](const double s, const double t) { return t - s <= tolerance; }), times.end());
+    return times;
+  }
+} // namespace myolines

@@ -1,0 +1,72 @@
+#include "point_states.h"
+
+namespace myolines
+{
+  PointStates::PointStates(const Muscle3dSystem &system, const State &state)
+    : parameters_(system.parameters())
+    , d_(system.discretisation())
+    , model_(kernel_model(parameters_, 0.))
+    , a0_(to_vector(parameters_.fibre_direction))
+    , u_(state.u)
+    , v_(state.v)
+    , values_(std::size_t(d_.element.n_points) * n_point_values * n_lanes)
+  {
+    u_.update_ghost_values();
+    v_.update_ghost_values();
+  }
+
+  void PointStates::evaluate(const unsigned int batch)
+  {
+    d_.kernels.points(d_.tables, model_, d_.kernel_cells(batch), u_.begin(), v_.begin(), values_.data(), d_.scratch());
+  }
+
+  PointState PointStates::point(const int q, const unsigned int lane) const
+  {
+    const double *at    = &values_[std::size_t(q) * n_point_values * n_lanes + lane];
+    const auto    value = [&](const int k) { return at[k * n_lanes]; };
+    PointState    p;
+    for (int i = 0; i < 9; ++i)
+      {
+        p.F[i / 3][i % 3]      = value(point_F + i);
+        p.F_rate[i / 3][i % 3] = value(point_F_rate + i);
+      }
+    for (int c = 0; c < 3; ++c)
+      {
+        p.displacement[c] = value(point_displacement + c);
+        p.velocity[c]     = value(point_velocity + c);
+      }
+    p.pressure   = value(point_pressure);
+    p.dilatation = value(point_dilatation);
+    p.JxW        = value(point_JxW);
+
+    p.J                       = determinant(p.F);
+    p.fibre                   = p.F * a0_;
+    p.stretch                 = p.fibre.norm();
+    p.isochoric_stretch       = p.stretch / std::cbrt(p.J);
+    const double growth       = p.fibre * (p.F_rate * a0_) / (p.stretch * p.stretch); // of ln |a|
+    const double swelling     = trace(invert(p.F) * p.F_rate);                        // of ln J
+    const double e0           = parameters_.tissue.fibre.maximum_strain_rate;
+    p.isochoric_rate          = p.isochoric_stretch * (growth - swelling / 3);
+    p.strain_rate             = p.stretch * growth / e0;
+    p.isochoric_strain_rate   = p.isochoric_rate / e0;
+    return p;
+  }
+
+  Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, const double activation, const PointState &p)
+  {
+    const KernelModel model = kernel_model(parameters, activation);
+    const Matrix3     H     = transpose(invert(p.F));
+    const double      power = std::pow(p.J, -2. / 3), I1 = power * p.F.norm_square(), lam = p.isochoric_stretch;
+    const Vector3     a0    = to_vector(parameters.fibre_direction);
+    const Matrix3     G     = lam * (outer_product(p.fibre, a0) / p.fibre.norm_square() - H / 3.);
+
+    Parts<Matrix3> parts;
+    parts.volumetric     = p.pressure * p.J * H;
+    parts.muscle_base    = yeoh(parameters.tissue.base, I1).first * (2 * power * p.F - 2. / 3 * I1 * H);
+    parts.muscle_passive = muscle_fibre<false, false>(parameters.tissue.fibre, 0., lam, 0.).g * G;
+    if (model.active)
+      parts.muscle_active = parameters.tissue.fibre.sigma0 * activation * curves::active(lam).value *
+                            (model.rate ? curves::force_velocity(p.isochoric_strain_rate).value : 1.) / lam * G;
+    return parts;
+  }
+} // namespace myolines

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <myolines/muscle3d/discretisation.h>
+#include <myolines/muscle3d/measurements.h>
+#include <myolines/muscle3d/muscle3d_system.h>
+
+#include <deal.II/base/tensor.h>
+
+namespace myolines
+{
+  using Vector3 = dealii::Tensor<1, 3>;
+  using Matrix3 = dealii::Tensor<2, 3>;
+
+  inline Vector3 to_vector(const std::array<double, 3> &v) { return Vector3({v[0], v[1], v[2]}); }
+
+  /// Everything about one quadrature point that outputs are made of, in plain numbers.
+  struct PointState
+  {
+    Vector3 displacement, velocity;
+    Matrix3 F, F_rate;
+    double  pressure, dilatation, JxW;
+    double  J;
+    Vector3 fibre;                 ///< a = F a0
+    double  stretch;               ///< |a|
+    double  isochoric_stretch;     ///< lam
+    double  isochoric_rate;        ///< lam-dot [1/s]
+    double  strain_rate;           ///< d|a|/dt / e0 [-]
+    double  isochoric_strain_rate; ///< lam-dot / e0 [-]
+  };
+
+  /// Walks over the quadrature points of the cells of this rank, batch by batch.
+  class PointStates
+  {
+  public:
+    PointStates(const Muscle3dSystem &system, const State &state);
+
+    /// visit(cell, q, point) for every point of every owned cell.
+    template <typename Visitor>
+    void for_each(const Visitor &visit)
+    {
+      for (unsigned int b = 0; b < d_.batches->n_owned_batches(); ++b)
+        {
+          evaluate(b);
+          for (unsigned int lane = 0; lane < d_.batches->n_filled(b); ++lane)
+            for (int q = 0; q < d_.element.n_points; ++q)
+              visit(d_.batches->cell(b, lane), q, point(q, lane));
+        }
+    }
+
+    /// Fills the values of one batch; then point(q, lane) is valid.
+    void       evaluate(unsigned int batch);
+    PointState point(int q, unsigned int lane) const;
+
+    const Muscle3dDiscretisation &discretisation() const { return d_; }
+
+  private:
+    const Muscle3dParameters &    parameters_;
+    const Muscle3dDiscretisation &d_;
+    KernelModel                   model_;
+    Vector3                       a0_;
+    Vector                        u_, v_;
+    dealii::AlignedVector<double> values_;
+  };
+
+  /// Parts of the first Piola-Kirchhoff stress at a point [Pa].
+  Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, double activation, const PointState &point);
+} // namespace myolines

@@ -1,0 +1,199 @@
+#include <myolines/oscillator/oscillator_system.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace myolines
+{
+  namespace
+  {
+    using Block = std::array<std::array<double, 2>, 2>;
+
+    /// K, C, M as numbers; with the support at rest only their first entries are used.
+    class OscillatorLinearisation : public Linearisation
+    {
+    public:
+      OscillatorLinearisation(const unsigned int size, WorkLedger &ledger)
+        : size_(size)
+        , ledger_(ledger)
+      {
+        const dealii::IndexSet         all = dealii::complete_index_set(size);
+        dealii::DynamicSparsityPattern pattern(size, size);
+        for (unsigned int i = 0; i < size; ++i)
+          pattern.add(i, i);
+        matrix_.reinit(all, pattern, MPI_COMM_SELF);
+      }
+
+      /// Spring and damper between mass and support: the same sign pattern [1 -1; -1 1] for stiffness and damping.
+      void fill(const double stiffness, const double damping, const double mass)
+      {
+        stiffness_ = {{{{stiffness, -stiffness}}, {{-stiffness, stiffness}}}};
+        damping_   = {{{{damping, -damping}}, {{-damping, damping}}}};
+        mass_      = {{{{mass, 0}}, {{0, 0}}}};
+        assembled_ = false;
+      }
+
+      void apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override
+      {
+        for (unsigned int i = 0; i < size_; ++i)
+          {
+            double sum = 0;
+            for (unsigned int j = 0; j < size_; ++j)
+              sum += entry(weights[2], i, j) * x.local_element(j);
+            y.local_element(i) = sum;
+          }
+      }
+
+      /// The support is constrained, so the matrix is diagonal; its unit row takes the entry of the mass as typical size.
+      const SparseMatrix &sparse(const WeightsByOrder &weights) override
+      {
+        const Weights &w = weights[2];
+        if (assembled_ && w.u == last_.u && w.v == last_.v && w.a == last_.a)
+          return matrix_;
+        ledger_.count("jacobian assemblies");
+        for (unsigned int i = 0; i < size_; ++i)
+          matrix_.set(i, i, entry(w, 0, 0));
+        matrix_.compress(dealii::VectorOperation::insert);
+        assembled_ = true;
+        last_      = w;
+        return matrix_;
+      }
+
+    private:
+      double entry(const Weights &w, const unsigned int i, const unsigned int j) const
+      {
+        return w.u * stiffness_[i][j] + w.v * damping_[i][j] + w.a * mass_[i][j];
+      }
+
+      const unsigned int size_;
+      WorkLedger &       ledger_;
+      Block              stiffness_{};
+      Block              damping_{};
+      Block              mass_{};
+      SparseMatrix       matrix_;
+      bool               assembled_ = false;
+      Weights            last_;
+    };
+
+    std::shared_ptr<const Drive> read_drive(const scene::Node &system, const std::string &name)
+    {
+      return system.has(name) ? std::shared_ptr<const Drive>(make_drive(system.section(name))) : nullptr;
+    }
+  } // namespace
+
+  scene::Schema oscillator_schema()
+  {
+    using scene::Range;
+    scene::Schema schema("One mass on a spring, m u'' + c (u' - s') + k (u - s) + k3 (u - s)^3 = f(t).");
+    schema.number("mass", 1, "kg", Range::positive(), "Mass m.")
+      .number("damping", 0, "N s/m", Range::not_negative(), "Damping c.")
+      .number("stiffness", 1, "N/m", Range::any(), "Stiffness k.")
+      .number("cubic stiffness", 0, "N/m^3", Range::any(), "Cubic stiffness k3.")
+      .number("displacement", 1, "m", Range::any(), "Displacement at the start.")
+      .number("velocity", 0, "m/s", Range::any(), "Velocity at the start.")
+      .optional_section("force", drive_schema("force on the mass", "N"))
+      .optional_section("support", drive_schema("displacement of the support", "m"));
+    return schema;
+  }
+
+  OscillatorParameters read_oscillator(const scene::Node &system)
+  {
+    OscillatorParameters parameters;
+    parameters.mass            = system.number("mass");
+    parameters.damping         = system.number("damping");
+    parameters.stiffness       = system.number("stiffness");
+    parameters.cubic_stiffness = system.number("cubic stiffness");
+    parameters.displacement    = system.number("displacement");
+    parameters.velocity        = system.number("velocity");
+    parameters.force           = read_drive(system, "force");
+    parameters.support         = read_drive(system, "support");
+    return parameters;
+  }
+
+  OscillatorSystem::OscillatorSystem(OscillatorParameters parameters, WorkLedger &ledger)
+    : parameters_(std::move(parameters))
+    , ledger_(ledger)
+    , layout_(dealii::complete_index_set(parameters_.support ? 2 : 1), MPI_COMM_SELF)
+  {
+    if (parameters_.support)
+      constraints_.add_line(1);
+    constraints_.close();
+    layout_.update_ghost_values();
+  }
+
+  Capabilities OscillatorSystem::capabilities() const
+  {
+    Capabilities capabilities;
+    capabilities.rates             = parameters_.damping != 0;
+    capabilities.linear            = parameters_.cubic_stiffness == 0;
+    capabilities.symmetric_tangent = true;
+    return capabilities;
+  }
+
+  std::size_t OscillatorSystem::n_unknowns() const { return layout_.size(); }
+
+  State OscillatorSystem::initial_state(const double t0) const
+  {
+    State state{t0, layout_, layout_, layout_};
+    state.u.local_element(0) = parameters_.displacement;
+    state.v.local_element(0) = parameters_.velocity;
+    prescribed(t0, Side::right, state);
+    return state;
+  }
+
+  const Constraints &OscillatorSystem::constraints() const { return constraints_; }
+
+  void OscillatorSystem::prescribed(const double t, const Side side, State &state) const
+  {
+    if (!parameters_.support)
+      return;
+    state.u.local_element(1) = parameters_.support->value(t, side);
+    state.v.local_element(1) = parameters_.support->first_derivative(t, side);
+    state.a.local_element(1) = parameters_.support->second_derivative(t, side);
+  }
+
+  Evaluation OscillatorSystem::residual(const Point &point, Vector &r) const
+  {
+    ledger_.count("residual evaluations");
+    const auto   difference = [](const Vector &x) { return x.size() == 2 ? x.local_element(0) - x.local_element(1) : x.local_element(0); };
+    const double stretch    = difference(point.u);
+    const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch + parameters_.cubic_stiffness * stretch * stretch * stretch;
+    const double load       = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
+
+    r.local_element(0) = parameters_.mass * point.a.local_element(0) + spring - load;
+    if (parameters_.support)
+      r.local_element(1) = -spring;
+    if (std::isfinite(r.local_element(0)))
+      return {};
+    r = std::numeric_limits<double>::quiet_NaN();
+    return {false, "the force on the mass is not a finite number"};
+  }
+
+  std::unique_ptr<Linearisation> OscillatorSystem::make_linearisation() const
+  {
+    return std::make_unique<OscillatorLinearisation>(layout_.size(), ledger_);
+  }
+
+  void OscillatorSystem::linearise(const Point &point, Linearisation &linearisation) const
+  {
+    ledger_.count("linearisations");
+    const double stretch = point.u.local_element(0) - (parameters_.support ? point.u.local_element(1) : 0);
+    dynamic_cast<OscillatorLinearisation &>(linearisation)
+      .fill(parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch, parameters_.damping, parameters_.mass);
+  }
+
+  std::vector<double> OscillatorSystem::events(const double t0, const double t1) const
+  {
+    std::vector<double> times;
+    for (const auto &drive : {parameters_.force, parameters_.support})
+      if (drive)
+        for (const double t : drive->kinks(t0, t1))
+          times.push_back(t);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+  }
+} // namespace myolines

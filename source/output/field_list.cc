@@ -1,0 +1,53 @@
+#include <myolines/base/names.h>
+#include <myolines/output/muscle3d_fields.h>
+#include <myolines/output/text_file.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    std::string
+    trimmed(const std::string &text)
+    {
+      const std::size_t first = text.find_first_not_of(" \t");
+      if (first == std::string::npos)
+        return "";
+      return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+    }
+  } // namespace
+
+  std::vector<std::string>
+  read_field_names(const scene::Node &fields, const std::vector<std::string> &known)
+  {
+    std::vector<std::string> names;
+    std::istringstream       text(fields.text("what"));
+    for (std::string piece; std::getline(text, piece, ',');)
+      {
+        const std::string name = trimmed(piece);
+        if (std::find(known.begin(), known.end(), name) == known.end())
+          {
+            const std::string nearest = nearest_name(name, known);
+            fields.refuse("what", "there is no field \"" + name + "\"", "names separated by commas, of: " + join(known),
+                          nearest.empty() ? "" : "nearest: \"" + nearest + "\"");
+          }
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+      }
+    if (names.empty())
+      fields.refuse("what", "names no field", "names separated by commas, of: " + join(known),
+                    "leave the list \"fields\" out if none is wanted");
+    return names;
+  }
+
+  std::string
+  pvd_text(const std::vector<std::pair<double, std::string> > &files)
+  {
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
+    for (const auto &[time, name] : files)
+      text += "    <DataSet timestep=\"" + exact_text(time) + "\" group=\"\" part=\"0\" file=\"" + name + "\"/>\n";
+    return text + "  </Collection>\n</VTKFile>\n";
+  }
+} // namespace myolines

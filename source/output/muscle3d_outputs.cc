@@ -1,0 +1,157 @@
+#include <myolines/base/names.h>
+#include <myolines/output/markers.h>
+#include <myolines/output/muscle3d_fields.h>
+#include <myolines/output/muscle3d_files.h>
+#include <myolines/output/outputs.h>
+
+#include <algorithm>
+
+namespace myolines
+{
+  namespace
+  {
+    using scene::Node;
+    using scene::Range;
+    using scene::Schema;
+
+    /// Numbered as BoundaryCondition::face.
+    const std::vector<std::string> faces{ "x-", "x+", "y-", "y+", "z-", "z+" };
+    const std::string              moving_face = "moving face";
+
+    Schema
+    series_schema()
+    {
+      std::vector<std::string> force_faces{ moving_face };
+      force_faces.insert(force_faces.end(), faces.begin(), faces.end());
+
+      Schema series("Time series in CSV files; what no file asks for is not measured.");
+      series.integer("every", 1, Range::closed(1, 1e9), "A row at the start and after every so many accepted steps.")
+          .boolean("forces", true,
+                   "force_data-3d.csv: x component of the interior-point estimate (6.2.15) on the force face, by part of the stress.")
+          .choice("force face", moving_face, force_faces,
+                  "Face of force_data-3d.csv; the moving face is that of the first condition of type strain, else x+.")
+          .boolean("all faces", false, "force_data-3d-NNN.csv: the estimate on all faces, one file per row of the other series.")
+          .boolean("reactions", true, "reaction.csv: force with which each prescribed boundary condition pulls on the muscle.")
+          .boolean("energies", true, "energy_data-3d.csv: work-like densities (6.2.2)-(6.2.11).")
+          .boolean("energy balance", true, "energy_balance.csv: energies, works and the drift of their balance; dynamic systems only.")
+          .boolean("stretch and pennation", true, "mean_stretch_pennation_data-3d.csv: slab averages (6.2.22), (6.2.25).")
+          .boolean("gearing info", true, "gearing_info-3d.csv: velocities behind the gearing; dynamic systems only.")
+          .boolean("gearing", false, "gearing.csv: G of (7.2.13) at every row; dynamic systems only.")
+          .boolean("activation and length", true, "activation_muscle_length-3d.csv.")
+          .choice("slab", "quadrature points", { "quadrature points", "whole cells" },
+                  "Points of the slab averages: 3/8 L <= X <= 5/8 L by quadrature point (6.2.20), or by cell centre as Flexodeal does.");
+      add_marker_parameters(series);
+      return series;
+    }
+
+    unsigned int
+    force_face(const Node &series, const Muscle3dParameters &parameters)
+    {
+      const std::string name = series.text("force face");
+      if (name != moving_face)
+        return static_cast<unsigned int>(std::find(faces.begin(), faces.end(), name) - faces.begin());
+      for (const BoundaryCondition &condition : parameters.boundary)
+        if (condition.type == BoundaryCondition::Type::strain)
+          return condition.face;
+      return 1;
+    }
+
+    bool
+    prescribes_motion(const BoundaryCondition &condition)
+    {
+      return condition.type != BoundaryCondition::Type::traction;
+    }
+
+    std::vector<std::unique_ptr<SeriesFile> >
+    make_files(const Node &series, const Muscle3dSystem &system, const std::filesystem::path &folder)
+    {
+      const Muscle3dParameters &p = system.parameters();
+      if (series.boolean("gearing") && !p.dynamic)
+        series.refuse("gearing", "a quasi-static system has no velocities", "false, or \"dynamic\" as system/inertia");
+
+      std::vector<std::unique_ptr<SeriesFile> > files;
+      if (series.boolean("forces"))
+        files.push_back(force_file(folder, force_face(series, p)));
+      if (series.boolean("all faces"))
+        files.push_back(all_faces_files(folder));
+      if (series.boolean("reactions") && std::any_of(p.boundary.begin(), p.boundary.end(), prescribes_motion))
+        files.push_back(reaction_file(folder, p));
+      if (series.boolean("energies"))
+        files.push_back(energy_file(folder));
+      if (series.boolean("energy balance") && p.dynamic)
+        files.push_back(energy_balance_file(folder));
+      if (series.boolean("stretch and pennation"))
+        files.push_back(stretch_file(folder));
+      if (series.boolean("gearing info") && p.dynamic)
+        files.push_back(gearing_info_file(folder, p));
+      if (series.boolean("gearing"))
+        files.push_back(gearing_file(folder, p));
+      if (series.boolean("activation and length"))
+        files.push_back(activation_file(folder));
+      if (const std::vector<Marker> markers = read_markers(series); !markers.empty())
+        files.push_back(displacements_file(folder, std::make_shared<MarkerProbe>(system, markers, markers_origin(series))));
+      return files;
+    }
+
+    class Series : public Observer
+    {
+    public:
+      Series(const Node &series, const Muscle3dSystem &system, const std::filesystem::path &folder, WorkLedger &ledger)
+          : system_(system)
+          , every_(series.integer("every"))
+          , slab_(series.text("slab") == "whole cells" ? SlabRule::whole_cells : SlabRule::quadrature_points)
+          , ends_(system, force_face(series, system.parameters()))
+          , files_(make_files(series, system, folder))
+          , ledger_(ledger)
+      {
+      }
+
+      void
+      begin(const State &state) override
+      {
+        observe(state, Side::right, 0);
+      }
+      void
+      accepted(const State &state, const StepRecord &record) override
+      {
+        observe(state, Side::left, record.number);
+      }
+
+    private:
+      void
+      observe(const State &state, const Side side, const std::size_t step)
+      {
+        const WorkLedger::Timer timer(ledger_, "output series");
+        const Muscle3dSample    sample(system_, state, side, slab_, ends_);
+        for (const auto &file : files_)
+          file->advance(sample);
+        if (step % every_ == 0)
+          for (const auto &file : files_)
+            file->row(sample, step);
+      }
+
+      const Muscle3dSystem                     &system_;
+      std::size_t                               every_;
+      SlabRule                                  slab_;
+      EndPoints                                 ends_;
+      std::vector<std::unique_ptr<SeriesFile> > files_;
+      WorkLedger                               &ledger_;
+    };
+  } // namespace
+
+  Schema
+  muscle3d_output_schema()
+  {
+    return Schema("What to write.").section("series", series_schema()).optional_section("fields", fields_schema());
+  }
+
+  std::vector<std::unique_ptr<Observer> >
+  make_outputs(const Node &output, const Muscle3dSystem &system, const std::filesystem::path &folder, WorkLedger &ledger)
+  {
+    std::vector<std::unique_ptr<Observer> > observers;
+    observers.push_back(std::make_unique<Series>(output.section("series"), system, folder, ledger));
+    if (output.has("fields"))
+      observers.push_back(make_fields(output.section("fields"), system, folder, ledger));
+    return observers;
+  }
+} // namespace myolines

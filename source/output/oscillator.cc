@@ -1,0 +1,78 @@
+#include <myolines/output/csv_file.h>
+#include <myolines/output/outputs.h>
+
+namespace myolines
+{
+  namespace
+  {
+    std::vector<std::string>
+    columns(const bool with_support)
+    {
+      std::vector<std::string> names{ "Time [s]", "Displacement [m]", "Velocity [m/s]", "Acceleration [m/s^2]" };
+      if (with_support)
+        names.insert(names.end(), { "Support displacement [m]", "Support force [N]" });
+      return names;
+    }
+
+    /// trajectory.csv. The support force is the one the support exerts: its row of the residual.
+    class Trajectory : public Observer
+    {
+    public:
+      Trajectory(const OscillatorSystem &system, const unsigned int every, const std::filesystem::path &folder)
+          : system_(system)
+          , every_(every)
+          , with_support_(system.parameters().support != nullptr)
+          , csv_(folder / "trajectory.csv", columns(with_support_))
+      {
+      }
+
+      void
+      begin(const State &state) override
+      {
+        write(state, Side::right);
+      }
+
+      void
+      accepted(const State &state, const StepRecord &record) override
+      {
+        if (record.number % every_ == 0)
+          write(state, Side::left);
+      }
+
+    private:
+      void
+      write(const State &state, const Side side)
+      {
+        std::vector<double> row{ state.t, state.u[0], state.v[0], state.a[0] };
+        if (with_support_)
+          {
+            Vector r(state.u);
+            system_.residual({ state.t, side, state.u, state.v, state.a }, r);
+            row.insert(row.end(), { state.u[1], r[1] });
+          }
+        csv_.row(row);
+      }
+
+      const OscillatorSystem &system_;
+      unsigned int            every_;
+      bool                    with_support_;
+      CsvFile                 csv_;
+    };
+  } // namespace
+
+  scene::Schema
+  oscillator_output_schema()
+  {
+    scene::Schema series("Time series: trajectory.csv.");
+    series.integer("every", 1, scene::Range::closed(1, 1e9), "A row at the start and after every so many accepted steps.");
+    return scene::Schema("What to write.").section("series", series);
+  }
+
+  std::vector<std::unique_ptr<Observer> >
+  make_outputs(const scene::Node &output, const OscillatorSystem &system, const std::filesystem::path &folder, WorkLedger &)
+  {
+    std::vector<std::unique_ptr<Observer> > observers;
+    observers.push_back(std::make_unique<Trajectory>(system, output.section("series").integer("every"), folder));
+    return observers;
+  }
+} // namespace myolines

@@ -1,0 +1,134 @@
+#include <myolines/output/outputs.h>
+#include <myolines/output/status.h>
+#include <myolines/output/text_file.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <sstream>
+
+namespace myolines
+{
+  std::string
+  duration_text(const double seconds)
+  {
+    const long long whole = std::llround(seconds);
+    char            text[64];
+    if (whole < 60)
+      std::snprintf(text, sizeof text, "%lld s", whole);
+    else if (whole < 3600)
+      std::snprintf(text, sizeof text, "%lld min %02lld s", whole / 60, whole % 60);
+    else
+      std::snprintf(text, sizeof text, "%lld h %02lld min", whole / 3600, whole / 60 % 60);
+    return text;
+  }
+
+  std::string
+  outcome_text(const StepReport::Outcome outcome)
+  {
+    switch (outcome)
+      {
+      case StepReport::Outcome::accepted:
+        return "accepted";
+      case StepReport::Outcome::not_converged:
+        return "not converged";
+      case StepReport::Outcome::inadmissible:
+        return "inadmissible";
+      case StepReport::Outcome::error_too_large:
+        return "error too large";
+      }
+    throw std::logic_error("unknown outcome of a step");
+  }
+
+  std::string
+  step_text(const StepRecord &record)
+  {
+    std::ostringstream text;
+    text << "step " << record.number << "  t " << record.t << " s  dt " << record.dt << " s  Newton " << record.report.newton_iterations
+         << "  linear " << record.report.linear_iterations;
+    text.precision(2);
+    text << std::scientific << "  residual " << record.report.initial_residual << " -> " << record.report.final_residual;
+    return text.str();
+  }
+
+  Status::Status(const std::filesystem::path &log, const double start, const double end, std::ostream *terminal)
+      : start_(start)
+      , end_(end)
+      , terminal_(writes_files() ? terminal : nullptr)
+      , begin_(std::chrono::steady_clock::now())
+  {
+    if (!writes_files())
+      return;
+    log_.open(log);
+    if (!log_)
+      throw std::runtime_error("cannot write " + log.string());
+  }
+
+  void
+  Status::begin(const State &state)
+  {
+    begin_ = std::chrono::steady_clock::now();
+    log(iso8601_now() + "  from t " + exact_text(state.t) + " s to " + exact_text(end_) + " s");
+  }
+
+  void
+  Status::accepted(const State &, const StepRecord &record)
+  {
+    log(step_text(record));
+    if (terminal_)
+      show(record);
+  }
+
+  void
+  Status::rejected(const StepRecord &record)
+  {
+    log(step_text(record) + "  rejected: " + outcome_text(record.report.outcome)
+        + (record.report.reason.empty() ? "" : ", " + record.report.reason));
+  }
+
+  void
+  Status::end(const std::string &reason)
+  {
+    log(iso8601_now() + (reason.empty() ? "  done" : "  stopped: " + reason) + " after " + duration_text(elapsed()));
+    if (terminal_ && shown_width_ > 0)
+      *terminal_ << std::endl;
+  }
+
+  void
+  Status::log(const std::string &line)
+  {
+    if (log_.is_open())
+      log_ << line << std::endl;
+  }
+
+  double
+  Status::elapsed() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+  void
+  Status::show(const StepRecord &record)
+  {
+    const double       fraction = (record.t - start_) / (end_ - start_);
+    std::ostringstream line;
+    line << static_cast<int>(std::floor(100 * fraction + 1e-9)) << " %  " << step_text(record);
+    if (record.t > start_ && record.t < end_)
+      line << "  remaining " << duration_text(elapsed() * (1 - fraction) / fraction);
+    std::string text = line.str();
+    // Blanks wipe what a longer line before this one left behind.
+    const std::size_t width = text.size();
+    text.resize(std::max(width, shown_width_), ' ');
+    shown_width_ = width;
+    *terminal_ << '\r' << text << std::flush;
+  }
+
+  std::unique_ptr<Observer>
+  make_status(const std::filesystem::path &folder, const double start, const double end, const bool quiet)
+  {
+    const bool show = !quiet && isatty(STDOUT_FILENO);
+    return std::make_unique<Status>(folder / "run.log", start, end, show ? &std::cout : nullptr);
+  }
+} // namespace myolines

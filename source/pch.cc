@@ -1,0 +1,1 @@
+#include <myolines/pch.h>

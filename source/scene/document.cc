@@ -1,0 +1,199 @@
+#include <myolines/scene/document.h>
+#include <myolines/scene/numbers.h>
+
+#include <Teuchos_StringInputSource.hpp>
+#include <Teuchos_XMLObject.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace myolines::scene
+{
+  namespace
+  {
+    const std::string list_tag      = "ParameterList";
+    const std::string parameter_tag = "Parameter";
+
+    /// The last line of what Teuchos says: the lines before it tell of its own source files.
+    std::string last_line(const std::string &message)
+    {
+      const std::string text = trimmed(message);
+      return text.substr(text.find_last_of('\n') + 1);
+    }
+
+    class Reader
+    {
+    public:
+      Reader(const std::string &file, std::vector<InputProblem> &problems)
+        : file_(file)
+        , problems_(problems)
+      {}
+
+      RawList list(const Teuchos::XMLObject &element, const std::string &name, const std::string &path)
+      {
+        RawList result;
+        result.name = name;
+        check_attributes(element, {"name"}, path);
+        check_content(element, path);
+        for (int i = 0; i < element.numChildren(); ++i)
+          child(element.getChild(i), result, path);
+        return result;
+      }
+
+    private:
+      void problem(const std::string &path, const std::string &what, const std::string &expected, const std::string &hint = "")
+      {
+        problems_.push_back({file_ + ": " + (path.empty() ? "root" : path), what, expected, hint});
+      }
+
+      void child(const Teuchos::XMLObject &element, RawList &parent, const std::string &path)
+      {
+        const std::string tag = element.getTag();
+        if (tag != list_tag && tag != parameter_tag)
+          return problem(path, "unknown element <" + tag + ">", "<ParameterList> or <Parameter>");
+        const std::string name = attribute(element, "name", path);
+        if (name.empty())
+          return;
+        const std::string below = path.empty() ? name : path + "/" + name;
+        if (tag == list_tag)
+          parent.lists.push_back(list(element, name, below));
+        else
+          parameter(element, parent, name, below);
+      }
+
+      void parameter(const Teuchos::XMLObject &element, RawList &parent, const std::string &name, const std::string &path)
+      {
+        check_attributes(element, {"name", "type", "value"}, path);
+        check_content(element, path);
+        for (int i = 0; i < element.numChildren(); ++i)
+          problem(path, "<Parameter> with an element <" + element.getChild(i).getTag() + "> inside", "no content");
+        const std::string type = attribute(element, "type", path);
+        if (!element.hasAttribute("value"))
+          return problem(path, "<Parameter> without attribute \"value\"", "name=\"...\" type=\"...\" value=\"...\"");
+        if (!type.empty())
+          parent.parameters.push_back({name, type, element.getAttribute("value"), false});
+      }
+
+      /// A needed attribute; "" and a problem if it is missing or empty.
+      std::string attribute(const Teuchos::XMLObject &element, const std::string &name, const std::string &path)
+      {
+        const std::string value = element.hasAttribute(name) ? element.getAttribute(name) : "";
+        if (value.empty())
+          problem(path, "<" + element.getTag() + "> without attribute \"" + name + "\"",
+                  element.getTag() == list_tag ? "name=\"...\"" : "name=\"...\" type=\"...\" value=\"...\"");
+        return value;
+      }
+
+      /// Teuchos does not list attributes, but the start tag it prints is longer if there are others than the known.
+      void check_attributes(const Teuchos::XMLObject &element, const std::vector<std::string> &known, const std::string &path)
+      {
+        std::size_t length = element.getTag().size() + 2;
+        for (const std::string &name : known)
+          if (element.hasAttribute(name))
+            length += name.size() + element.getAttribute(name).size() + 4;
+        if (element.header().size() != length)
+          problem(path, "unknown attribute in " + element.header(), "no attributes but " + std::string(known.size() == 1 ? "name" : "name, type, value"));
+      }
+
+      void check_content(const Teuchos::XMLObject &element, const std::string &path)
+      {
+        for (int i = 0; i < element.numContentLines(); ++i)
+          if (const std::string text = trimmed(element.getContentLine(i)); !text.empty())
+            return problem(path, "stray text \"" + text + "\"", "only elements <ParameterList>, <Parameter> and comments");
+      }
+
+      const std::string &        file_;
+      std::vector<InputProblem> &problems_;
+    };
+
+    template <typename Items>
+    auto find_named(Items &items, const std::string &name) -> decltype(&*items.begin())
+    {
+      const auto found = std::find_if(items.begin(), items.end(), [&name](const auto &item) { return item.name == name; });
+      return found == items.end() ? nullptr : &*found;
+    }
+
+    std::vector<std::string> split_path(const std::string &path)
+    {
+      std::vector<std::string> names;
+      std::istringstream       parts(path);
+      for (std::string name; std::getline(parts, name, '/');)
+        names.push_back(trimmed(name));
+      return names;
+    }
+  } // namespace
+
+  RawList parse_document(const std::string &xml, const std::string &file, std::vector<InputProblem> &problems)
+  {
+    Teuchos::XMLObject root;
+    try
+      {
+        root = Teuchos::StringInputSource(xml).getObject();
+      }
+    catch (const std::exception &error)
+      {
+        problems.push_back({file, "malformed XML: " + last_line(error.what()), "an XML document <ParameterList name=\"scene\"> ... </ParameterList>", ""});
+        return {};
+      }
+    if (root.getTag() != list_tag || !root.hasAttribute("name") || root.getAttribute("name") != "scene")
+      {
+        problems.push_back({file, "the document is " + root.header(), "<ParameterList name=\"scene\">", ""});
+        return {};
+      }
+    return Reader(file, problems).list(root, "", "");
+  }
+
+  std::string read_text(const std::filesystem::path &file, std::vector<InputProblem> &problems)
+  {
+    std::ifstream      stream(file);
+    std::ostringstream text;
+    if (std::filesystem::is_directory(file) || !stream || !(text << stream.rdbuf()))
+      problems.push_back({file.string(), std::filesystem::exists(file) ? "the file cannot be read" : "there is no such file", "a readable, non-empty file", ""});
+    return text.str();
+  }
+
+  void set_parameter(RawList &root, const std::string &path, const std::string &text, const bool from_override)
+  {
+    std::vector<std::string> names = split_path(path);
+    const std::string        last  = names.empty() ? "" : names.back();
+    RawList *                list  = &root;
+    for (std::size_t i = 0; i + 1 < names.size(); ++i)
+      {
+        RawList *next = find_named(list->lists, names[i]);
+        if (next == nullptr)
+          {
+            list->lists.push_back({names[i], {}, {}, from_override});
+            next = &list->lists.back();
+          }
+        list = next;
+      }
+    const RawParameter value{last, "", text, from_override};
+    if (RawParameter *present = find_named(list->parameters, last))
+      *present = value;
+    else
+      list->parameters.push_back(value);
+  }
+
+  void apply_overrides(RawList &root, const std::vector<std::string> &overrides, std::vector<InputProblem> &problems)
+  {
+    for (const std::string &override_text : overrides)
+      {
+        const auto        equals = override_text.find('=');
+        const std::string path   = trimmed(override_text.substr(0, equals));
+        if (equals == std::string::npos || path.empty())
+          problems.push_back({"override \"" + override_text + "\"", "no path and value", "path=value", "for example \"time/step=1e-3\""});
+        else
+          set_parameter(root, path, override_text.substr(equals + 1), true);
+      }
+  }
+
+  const RawParameter *find_parameter(const RawList &root, const std::string &path)
+  {
+    const std::vector<std::string> names = split_path(path);
+    const RawList *                list  = &root;
+    for (std::size_t i = 0; i + 1 < names.size() && list != nullptr; ++i)
+      list = find_named(list->lists, names[i]);
+    return list == nullptr || names.empty() ? nullptr : find_named(list->parameters, names.back());
+  }
+} // namespace myolines::scene

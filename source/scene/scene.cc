@@ -1,0 +1,67 @@
+#include <myolines/scene/document.h>
+#include <myolines/scene/node_builder.h>
+#include <myolines/scene/scene.h>
+
+namespace myolines::scene
+{
+  namespace
+  {
+    void throw_if_any(const std::vector<InputProblem> &problems)
+    {
+      if (!problems.empty())
+        throw InputError(problems);
+    }
+
+    /// A wrong document is refused before its contents are looked at: what follows would only repeat it.
+    RawList raw_scene(const std::string &xml, const std::string &name, const std::vector<std::string> &overrides)
+    {
+      std::vector<InputProblem> problems;
+      RawList                   root = parse_document(xml, name, problems);
+      apply_overrides(root, overrides, problems);
+      throw_if_any(problems);
+      return root;
+    }
+
+    std::string file_text(const std::filesystem::path &file)
+    {
+      std::vector<InputProblem> problems;
+      const std::string         text = read_text(file, problems);
+      throw_if_any(problems);
+      return text;
+    }
+
+    Node build_root(const RawList &root, const Schema &schema, const std::string &name, const std::filesystem::path &folder)
+    {
+      std::vector<InputProblem> problems;
+      Node                      node = NodeBuilder(name, folder, problems).build(&root, schema, "", "");
+      throw_if_any(problems);
+      return node;
+    }
+  } // namespace
+
+  Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides)
+  {
+    return build_root(raw_scene(file_text(file), file.string(), overrides), schema, file.string(), file.parent_path());
+  }
+
+  Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name, const std::filesystem::path &folder,
+                   const std::vector<std::string> &overrides)
+  {
+    return build_root(raw_scene(xml, name, overrides), schema, name, folder);
+  }
+
+  std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path, const std::vector<std::string> &overrides)
+  {
+    const RawList       root  = raw_scene(file_text(file), file.string(), overrides);
+    const RawParameter *found = find_parameter(root, path);
+    return found != nullptr ? std::optional<std::string>(found->text) : std::nullopt;
+  }
+
+  Node compose_scene(const Schema &schema, const std::vector<Setting> &settings, const std::string &name, const std::filesystem::path &folder)
+  {
+    RawList root;
+    for (const auto &[path, text] : settings)
+      set_parameter(root, path, text, false);
+    return build_root(root, schema, name, folder);
+  }
+} // namespace myolines::scene

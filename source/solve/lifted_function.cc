@@ -1,0 +1,92 @@
+#include <myolines/solve/lifted_function.h>
+
+#include <cmath>
+#include <limits>
+
+namespace myolines
+{
+  LiftedFunction::LiftedFunction(NonlinearProblem &problem, LinearSolver &linear, WorkLedger &ledger, const Vector &layout)
+    : problem_(problem)
+    , linear_(linear)
+    , ledger_(ledger)
+    , free_(problem.constraints(), layout)
+    , lift_(layout)
+  {}
+
+  Vector LiftedFunction::gap(const Vector &x) const
+  {
+    Vector difference = x;
+    problem_.impose(difference);
+    difference -= x; // exactly zero on free unknowns, which impose() leaves alone
+    return difference;
+  }
+
+  void LiftedFunction::linearise(const Vector &x, const std::uint64_t stamp)
+  {
+    if (linearised_at_ == stamp)
+      return;
+    const WorkLedger::Timer timer(ledger_, "assembly");
+    problem_.linearise(x);
+    linearised_at_ = stamp;
+  }
+
+  void LiftedFunction::add_lift(const Vector &x, const Vector &missing, Sample &sample, Vector &g)
+  {
+    linearise(x, sample.stamp);
+    problem_.linearisation().apply(problem_.weights(), missing, lift_);
+    free_.condense(lift_);
+    g += lift_;
+    lifted_at_       = sample.stamp;
+    sample.remaining = 1;
+    sample.norm      = g.l2_norm();
+  }
+
+  LiftedFunction::Sample LiftedFunction::first(const Vector &x, const std::uint64_t stamp, Vector &g)
+  {
+    Sample       sample  = evaluate(x, stamp, 0, g);
+    const Vector missing = gap(x);
+    if (sample.evaluation.admissible && missing.linfty_norm() > 0)
+      add_lift(x, missing, sample, g);
+    return sample;
+  }
+
+  LiftedFunction::Sample LiftedFunction::evaluate(const Vector &x, const std::uint64_t stamp, const double remaining, Vector &g)
+  {
+    ++evaluations_;
+    Sample sample;
+    sample.stamp      = stamp;
+    sample.remaining  = remaining;
+    sample.evaluation = problem_.residual(x, g);
+    sample.norm       = std::numeric_limits<double>::quiet_NaN();
+    if (!sample.evaluation.admissible)
+      return sample;
+
+    free_.condense(g);
+    if (remaining != 0)
+      g.add(remaining, lift_);
+    sample.norm = g.l2_norm();
+    if (!std::isfinite(sample.norm))
+      sample.evaluation = {false, "the residual is not a finite number"};
+    return sample;
+  }
+
+  LinearReport LiftedFunction::direction(const Vector &x, Sample &sample, Vector &g, const double tolerance, Vector &dx)
+  {
+    linearise(x, sample.stamp);
+    const bool   open    = sample.remaining != 0;
+    const Vector missing = open ? gap(x) : Vector();
+    if (open && lifted_at_ != sample.stamp)
+      {
+        g.add(-sample.remaining, lift_);
+        add_lift(x, missing, sample, g);
+      }
+    Vector right(g);
+    right *= -1;
+    const LinearReport report =
+      linear_.solve(problem_.linearisation(), problem_.weights(), problem_.constraints(), problem_.symmetric(), right, dx, tolerance);
+    free_.distribute(dx);
+    if (open)
+      dx += missing;
+    return report;
+  }
+} // namespace myolines

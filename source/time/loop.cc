@@ -1,0 +1,171 @@
+#include <myolines/base/error.h>
+#include <myolines/time/loop.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    /// Times closer than this fraction of a step are one.
+    constexpr double sliver = 1e-9;
+
+    struct Landing
+    {
+      double t;  ///< end of the step [s]
+      double dt; ///< t_now + dt == t in floating point [s]
+    };
+
+    class Loop
+    {
+    public:
+      Loop(const SemiDiscreteSystem &      system,
+           Integrator &                    integrator,
+           StepControl &                   control,
+           const LoopSettings &            settings,
+           State &                         state,
+           const std::vector<Observer *> &observers,
+           WorkLedger &                    ledger)
+        : integrator_(integrator)
+        , control_(control)
+        , settings_(settings)
+        , state_(state)
+        , observers_(observers)
+        , ledger_(ledger)
+        , number_(settings.steps_done)
+      {
+        if (settings.events != Events::ignore)
+          events_ = system.events(settings.start, settings.end);
+      }
+
+      void run()
+      {
+        if (state_.t == settings_.start)
+          integrator_.start(state_);
+        for (Observer *observer : observers_)
+          observer->begin(state_);
+        while (state_.t < settings_.end)
+          {
+            if (settings_.events == Events::restart && at_event())
+              {
+                ledger_.count("restarts at events");
+                integrator_.start(state_);
+              }
+            attempt();
+          }
+      }
+
+    private:
+      bool at_event() const { return std::binary_search(events_.begin(), events_.end(), state_.t); }
+
+      /// The earliest of what must be landed on; of times that agree up to a sliver the one known best wins:
+      /// an event before a planned step, the end before both.
+      Landing landing() const
+      {
+        const double t        = state_.t;
+        const double proposed = control_.propose(t);
+        const double merge    = sliver * proposed;
+        double       target   = control_.next_landing(t);
+        const auto   event    = std::upper_bound(events_.begin(), events_.end(), t);
+        if (event != events_.end() && *event <= target + merge)
+          target = *event;
+        if (settings_.end <= target + merge)
+          target = settings_.end;
+        if (t + proposed < target - merge)
+          target = t + proposed;
+        return {target, exact_difference(t, target)};
+      }
+
+      /// dt with t + dt == end in floating point: instants of the last stage must lie on the kink, not beside it.
+      static double exact_difference(const double t, const double end)
+      {
+        double dt = end - t;
+        while (t + dt < end)
+          dt = std::nextafter(dt, 2 * dt);
+        while (t + dt > end)
+          dt = std::nextafter(dt, 0.);
+        return dt;
+      }
+
+      void attempt()
+      {
+        const Landing next = landing();
+        StepRecord    record;
+        record.t      = next.t;
+        record.dt     = next.dt;
+        record.report = integrator_.step(next.dt, state_);
+        if (record.report.accepted())
+          accept(record);
+        else
+          reject(record);
+      }
+
+      void accept(StepRecord &record)
+      {
+        ledger_.count("accepted steps");
+        state_.t      = record.t;
+        record.number = ++number_;
+        control_.accepted(record.t, record.dt, record.report);
+        for (Observer *observer : observers_)
+          observer->accepted(state_, record);
+      }
+
+      void reject(StepRecord &record)
+      {
+        ledger_.count("rejected steps");
+        record.number = number_;
+        for (Observer *observer : observers_)
+          observer->rejected(record);
+        if (control_.rejected(state_.t, record.dt, record.report))
+          return;
+        std::ostringstream text;
+        text << "The step from t = " << state_.t << " s of size " << record.dt << " s failed: " << record.report.reason
+             << ". Try a smaller \"time/step\", \"time/control/type\" = \"cut back\" with more \"maximum cuts\", or more \"solver/nonlinear/maximum iterations\".";
+        throw SolveError(text.str());
+      }
+
+      Integrator &                    integrator_;
+      StepControl &                   control_;
+      const LoopSettings &            settings_;
+      State &                         state_;
+      const std::vector<Observer *> &observers_;
+      WorkLedger &                    ledger_;
+      std::vector<double>             events_;
+      std::size_t                     number_;
+    };
+  } // namespace
+
+  LoopSettings loop_settings(const scene::Node &time)
+  {
+    LoopSettings settings;
+    settings.start           = time.number("start");
+    settings.end             = time.number("end");
+    const std::string events = time.text("events");
+    settings.events          = events == "restart" ? Events::restart : events == "land" ? Events::land : Events::ignore;
+    return settings;
+  }
+
+  void run_loop(const SemiDiscreteSystem &      system,
+                Integrator &                    integrator,
+                StepControl &                   control,
+                const LoopSettings &            settings,
+                State &                         state,
+                const std::vector<Observer *> &observers,
+                WorkLedger &                    ledger)
+  {
+    try
+      {
+        Loop(system, integrator, control, settings, state, observers, ledger).run();
+      }
+    catch (const std::exception &error)
+      {
+        for (Observer *observer : observers)
+          observer->end(error.what());
+        throw;
+      }
+    for (Observer *observer : observers)
+      observer->end("");
+  }
+} // namespace myolines

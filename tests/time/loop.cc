@@ -1,0 +1,224 @@
+#include "../support/matrices.h"
+#include "../support/solvers.h"
+
+#include <myolines/base/error.h>
+#include <myolines/time/loop.h>
+
+#include <gtest/gtest.h>
+
+using namespace myolines;
+using namespace myolines::testing;
+
+namespace
+{
+  /// A system of which the loop sees only the events.
+  class Eventful : public SemiDiscreteSystem
+  {
+  public:
+    explicit Eventful(std::vector<double> times)
+      : times_(std::move(times))
+    {}
+    Capabilities       capabilities() const override { return {}; }
+    std::size_t        n_unknowns() const override { return 1; }
+    State              initial_state(double t0) const override { return {t0, serial_vector(1), serial_vector(1), serial_vector(1)}; }
+    const Constraints &constraints() const override { return none_; }
+    void               prescribed(double, Side, State &) const override {}
+    Evaluation         residual(const Point &, Vector &) const override { return {}; }
+    std::unique_ptr<Linearisation> make_linearisation() const override { return nullptr; }
+    void                           linearise(const Point &, Linearisation &) const override {}
+
+    std::vector<double> events(const double t0, const double t1) const override
+    {
+      std::vector<double> inside;
+      std::copy_if(times_.begin(), times_.end(), std::back_inserter(inside), [=](double t) { return t0 < t && t < t1; });
+      return inside;
+    }
+
+  private:
+    std::vector<double> times_;
+    Constraints         none_;
+  };
+
+  /// Counts its steps in u and fails where told to.
+  class Fake : public Integrator
+  {
+  public:
+    std::function<bool(double t, double dt)> fails = [](double, double) { return false; };
+    std::vector<double>                      starts;
+    std::vector<double>                      ends;
+    std::vector<double>                      sizes;
+
+    void start(State &state) override { starts.push_back(state.t); }
+
+    StepReport step(const double dt, State &state) override
+    {
+      StepReport report;
+      if (fails(state.t, dt))
+        {
+          report.outcome = StepReport::Outcome::not_converged;
+          report.reason  = "on demand";
+          return report;
+        }
+      state.t += dt;
+      state.u(0) += 1;
+      ends.push_back(state.t);
+      sizes.push_back(dt);
+      return report;
+    }
+
+    void save(Archive &) const override {}
+    void load(const Archive &) override {}
+  };
+
+  class Recorder : public Observer
+  {
+  public:
+    void begin(const State &) override { ++begun; }
+    void accepted(const State &state, const StepRecord &record) override
+    {
+      EXPECT_EQ(state.t, record.t);
+      times.push_back(record.t);
+      numbers.push_back(record.number);
+    }
+    void rejected(const StepRecord &record) override { rejections.push_back(record); }
+    void end(const std::string &why) override
+    {
+      ++ended;
+      reason = why;
+    }
+
+    unsigned int             begun = 0, ended = 0;
+    std::vector<double>      times;
+    std::vector<std::size_t> numbers;
+    std::vector<StepRecord>  rejections;
+    std::string              reason;
+  };
+
+  struct Trial
+  {
+    Fake       fake;
+    Recorder   recorder;
+    WorkLedger ledger;
+    State      state;
+
+    void go(const Overrides &overrides, const std::vector<double> &events = {})
+    {
+      const scene::Node time = node(time_schema(), overrides);
+      const Eventful    system(events);
+      const auto        control = make_step_control(time);
+      if (state.u.size() == 0)
+        state = system.initial_state(time.number("start"));
+      run_loop(system, fake, *control, loop_settings(time), state, {&recorder}, ledger);
+    }
+  };
+} // namespace
+
+TEST(Loop, landsOnTheEndWithoutRoundOff)
+{
+  for (const char *step : {"0.1", "0.3", "0.07", "0.0001", "1e-3", "5"})
+    {
+      Trial run;
+      run.go({"end=0.7", std::string("step=") + step});
+      EXPECT_EQ(run.state.t, 0.7) << step;
+      EXPECT_EQ(run.fake.ends, run.recorder.times) << "the integrator's own t + dt is the landing, bit for bit";
+      EXPECT_EQ(run.recorder.times.size(), std::ceil(0.7 / std::stod(step) - 1e-9)) << step;
+      EXPECT_EQ(run.ledger.counted("accepted steps"), run.recorder.times.size());
+      EXPECT_EQ(run.recorder.numbers.back(), run.recorder.times.size());
+      EXPECT_EQ(run.recorder.reason, "");
+    }
+}
+
+TEST(Loop, stepTimesAreMultiplesNotSums)
+{
+  Trial run;
+  run.go({"end=1000", "step=0.1"});
+  ASSERT_EQ(run.recorder.times.size(), 10000u);
+  for (unsigned int k = 0; k < 10000; ++k)
+    ASSERT_EQ(run.recorder.times[k], k == 9999 ? 1000. : (k + 1) * 0.1);
+}
+
+TEST(Loop, restartsAtEvents)
+{
+  Trial run;
+  run.go({"end=1", "step=0.25"}, {0.1, 0.5, 0.9});
+  EXPECT_EQ(run.recorder.times, (std::vector<double>{0.1, 0.25, 0.5, 0.75, 0.9, 1}));
+  EXPECT_EQ(run.fake.starts, (std::vector<double>{0, 0.1, 0.5, 0.9}));
+  EXPECT_EQ(run.ledger.counted("restarts at events"), 3u);
+}
+
+TEST(Loop, landsOnEventsOrIgnoresThem)
+{
+  Trial land, ignore;
+  land.go({"end=1", "step=0.5", "events=land"}, {0.1});
+  EXPECT_EQ(land.recorder.times, (std::vector<double>{0.1, 0.5, 1}));
+  EXPECT_EQ(land.fake.starts, std::vector<double>{0});
+  ignore.go({"end=1", "step=0.5", "events=ignore"}, {0.1});
+  EXPECT_EQ(ignore.recorder.times, (std::vector<double>{0.5, 1}));
+}
+
+TEST(Loop, makesNoSliversWhereTimesNearlyAgree)
+{
+  // 3 * 0.1 is the next double after 0.3: the event wins over the planned step, the end over the event.
+  const double above = 3 * 0.1;
+  ASSERT_NE(above, 0.3);
+  Trial run;
+  run.go({"end=0.4", "step=0.1"}, {0.3});
+  ASSERT_EQ(run.recorder.times.size(), 4u);
+  EXPECT_EQ(run.recorder.times[2], 0.3);
+  EXPECT_EQ(run.fake.starts, (std::vector<double>{0, 0.3}));
+  for (const double dt : run.fake.sizes)
+    EXPECT_NEAR(dt, 0.1, 1e-15);
+}
+
+TEST(Loop, recordsEveryRejectionAndGoesOn)
+{
+  Trial run;
+  run.fake.fails = [](const double t, const double dt) { return t >= 0.5 && t < 0.75 && dt > 0.07; };
+  run.go({"end=1", "step=0.25"});
+  EXPECT_EQ(run.state.t, 1);
+  ASSERT_GE(run.recorder.rejections.size(), 2u);
+  EXPECT_EQ(run.ledger.counted("rejected steps"), run.recorder.rejections.size());
+  for (const StepRecord &record : run.recorder.rejections)
+    {
+      EXPECT_GE(record.t - record.dt, 0.5 - 1e-12);
+      EXPECT_EQ(record.report.reason, "on demand");
+    }
+  EXPECT_EQ(run.recorder.numbers.back(), run.recorder.times.size()) << "rejected attempts are not numbered";
+  EXPECT_TRUE(std::count(run.recorder.times.begin(), run.recorder.times.end(), 0.75)) << "sub-steps land on the plan";
+  EXPECT_EQ(run.state.u(0), run.recorder.times.size());
+}
+
+TEST(Loop, saysWhyWhereAndWhatToTryWhenItGivesUp)
+{
+  Trial run;
+  run.fake.fails = [](const double t, const double) { return t > 0.3; };
+  try
+    {
+      run.go({"end=1", "step=0.25", "control/maximum cuts=2"});
+      FAIL() << "the loop must give up";
+    }
+  catch (const SolveError &error)
+    {
+      const std::string text = error.what();
+      for (const char *part : {"t = 0.5 s", "0.0625 s", "on demand", "time/step"})
+        EXPECT_NE(text.find(part), std::string::npos) << part << " in: " << text;
+      EXPECT_EQ(run.recorder.reason, text);
+    }
+  EXPECT_EQ(run.recorder.ended, 1u);
+  EXPECT_EQ(run.recorder.rejections.size(), 3u);
+  EXPECT_EQ(run.state.t, 0.5);
+}
+
+TEST(Loop, resumesALaterStateWithoutStartingAnew)
+{
+  Trial run;
+  run.state = Eventful({}).initial_state(0.5);
+  run.go({"end=1", "step=0.25"}, {0.25});
+  EXPECT_TRUE(run.fake.starts.empty());
+  EXPECT_EQ(run.recorder.times, (std::vector<double>{0.75, 1}));
+
+  Trial at_event; // saved on landing, before the restart
+  at_event.state = Eventful({}).initial_state(0.5);
+  at_event.go({"end=1", "step=0.25"}, {0.5});
+  EXPECT_EQ(at_event.fake.starts, std::vector<double>{0.5});
+}
