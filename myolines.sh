@@ -54,7 +54,7 @@ install_packages() {
 # One job per core, but no more than one per 2 GB of free memory: deal.II is heavy to compile.
 build_jobs() {
   local cores memory_kb limit
-  cores=$(nproc)
+  cores=$(env -u OMP_NUM_THREADS nproc) # nproc heeds that variable
   memory_kb=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)
   limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
   if [ "$limit" != max ] && [ $((limit / 1024)) -lt "$memory_kb" ]; then

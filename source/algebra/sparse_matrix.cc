@@ -6,11 +6,11 @@ namespace myolines
 {
   CompressedRows compressed_rows(SparseMatrix &matrix)
   {
-    auto & crs       = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
-    int *  row_start = nullptr;
-    int *  columns   = nullptr;
-    double *values   = nullptr;
-    const int ierr   = crs.ExtractCrsDataPointers(row_start, columns, values);
+    auto     &crs       = const_cast<Epetra_CrsMatrix &>(matrix.trilinos_matrix());
+    int      *row_start = nullptr;
+    int      *columns   = nullptr;
+    double   *values    = nullptr;
+    const int ierr      = crs.ExtractCrsDataPointers(row_start, columns, values);
     AssertThrow(ierr == 0, dealii::ExcMessage("the sparse matrix is not in compressed storage"));
     return {row_start, columns, values};
   }

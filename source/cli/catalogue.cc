@@ -103,7 +103,8 @@ namespace myolines
         names.push_back(entry.name);
       }
     const std::string nearest = nearest_name(name, names);
-    throw InputError(InputProblem{where, "unknown system \"" + name + "\"", "one of " + join(names), nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+    throw InputError(InputProblem{where, "unknown system \"" + name + "\"", "one of " + join(names),
+                                  nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
   }
 
   scene::Schema root_schema(const SystemEntry &output_of)
@@ -114,16 +115,16 @@ namespace myolines
 
     Schema solver("Solvers of the implicit stages.");
     solver.section("nonlinear", NonlinearSolver::schema())
-      .section("linear", LinearSolver::linear_schema())
-      .section("preconditioner", LinearSolver::preconditioner_schema());
+        .section("linear", LinearSolver::linear_schema())
+        .section("preconditioner", LinearSolver::preconditioner_schema());
 
     Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");
     root.text("title", "", "What this scene is about.")
-      .section("system", Schema("What is computed.").variant("type", std::nullopt, systems, "Kind of system."))
-      .section("integrator", integrator_schema())
-      .section("time", time_schema())
-      .section("solver", solver)
-      .section("output", output_of.output);
+        .section("system", Schema("What is computed.").variant("type", std::nullopt, systems, "Kind of system."))
+        .section("integrator", integrator_schema())
+        .section("time", time_schema())
+        .section("solver", solver)
+        .section("output", output_of.output);
     return root;
   }
 

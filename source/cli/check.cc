@@ -27,7 +27,7 @@ namespace myolines
         std::error_code ignored; // a left-over folder must not hide the verdict
         std::filesystem::remove_all(path_, ignored);
       }
-      ScratchFolder(const ScratchFolder &) = delete;
+      ScratchFolder(const ScratchFolder &)            = delete;
       ScratchFolder &operator=(const ScratchFolder &) = delete;
 
       const std::filesystem::path &path() const { return path_; }
@@ -50,7 +50,8 @@ namespace myolines
     void print_steps(const Experiment &experiment, std::ostream &out)
     {
       const std::vector<double> sizes = experiment.planned_steps();
-      out << "Steps: " << sizes.size() << " from " << experiment.settings().start << " s to " << experiment.settings().end << " s, if none is rejected\n";
+      out << "Steps: " << sizes.size() << " from " << experiment.settings().start << " s to " << experiment.settings().end
+          << " s, if none is rejected\n";
       unsigned int lines = 0;
       for (std::size_t i = 0; i < sizes.size();)
         {
@@ -75,7 +76,8 @@ namespace myolines
     experiment.assembled().make_outputs(experiment.scene().section("output"), scratch.path());
 
     out << "The scene is valid. Resolved, with every value in force:\n\n" << scene::resolved_xml(experiment.scene()) << "\n";
-    out << "System: " << experiment.scene().section("system").text("type") << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
+    out << "System: " << experiment.scene().section("system").text("type")
+        << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
     for (const std::string &line : experiment.assembled().plan)
       out << "  " << line << "\n";
     print_method(experiment.method(), out);

@@ -1,4 +1,5 @@
 #include <myolines/cli/experiment.h>
+#include <myolines/time/stage.h>
 
 namespace myolines
 {
@@ -24,29 +25,30 @@ namespace myolines
 
   Experiment::Experiment(scene::Node scene)
     : scene_(std::move(scene))
-    , assembled_(system_entry(scene_.section("system").text("type"), scene_.section("system").where("type")).make(scene_.section("system"), ledger_))
+    , assembled_(system_entry(scene_.section("system").text("type"), scene_.section("system").where("type"))
+                     .make(scene_.section("system"), ledger_))
     , method_(integrator_entry(scene_.section("integrator").text("type")))
     , settings_(loop_settings(scene_.section("time")))
     , linear_(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"), ledger_)
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
     refuse_ignored_inertia();
-    control_ = make_step_control(scene_.section("time"));
-    integrator_ =
-      method_.make(scene_.section("integrator"), IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(scene_.section("time")), ledger_});
+    control_    = make_step_control(scene_.section("time"));
+    integrator_ = method_.make(scene_.section("integrator"),
+                               IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(scene_.section("time")), ledger_});
   }
 
   void Experiment::refuse_ignored_inertia() const
   {
     if (!method_.facts.dynamic && assembled_.system->capabilities().inertia)
       scene_.section("integrator")
-        .refuse("type", "\"" + method_.facts.name + "\" ignores inertia, but the system has it", "an integrator for dynamics",
-                "or a system without inertia, where it can be without");
+          .refuse("type", "\"" + method_.facts.name + "\" ignores inertia, but the system has it", "an integrator for dynamics",
+                  "or a system without inertia, where it can be without");
   }
 
   void Experiment::run(const std::vector<Observer *> &observers)
   {
-    State state = assembled_.system->initial_state(settings_.start);
+    State state = starting_state(*assembled_.system, settings_.start, boundary_rates(scene_.section("time")));
     run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_);
   }
 

@@ -35,43 +35,43 @@ namespace myolines
     const char *const other_output = "outputs are chosen in the list \"output\"";
 
     const std::vector<Rule> rules{
-      {"Finite element system", "Polynomial degree", "system/discretisation/degree"},
-      {"Finite element system", "Quadrature order", "system/discretisation/quadrature points"},
-      {"Finite element system", "Type of simulation", "system/inertia"},
-      {"Geometry", "Global refinement"},
-      {"Geometry", "Length"},
-      {"Geometry", "Width"},
-      {"Geometry", "Height"},
-      {"Geometry", "Grid scale"},
-      {"Geometry", "Pressure ratio p/p0", "", "imported scenes have no pressure load"},
-      {"Linear solver", "Max iteration multiplier", "", own_solver},
-      {"Linear solver", "Residual", "", own_solver},
-      {"Linear solver", "Use static condensation", "", "pressure and dilatation are always eliminated"},
-      {"Linear solver", "Preconditioner type", "", own_solver},
-      {"Linear solver", "Preconditioner relaxation", "", own_solver},
-      {"Linear solver", "Solver type", "", own_solver},
-      {"Materials", "Muscle density", "system/tissues/muscle/density"},
-      {"Materials", "Sigma naught muscle", "system/tissues/muscle/fibre/maximum isometric stress"},
-      {"Materials", "Bulk modulus muscle", "system/tissues/muscle/bulk modulus"},
-      {"Materials", "Max strain rate", "system/tissues/muscle/fibre/maximum strain rate"},
-      {"Materials", "Muscle x component", "system/fibres/x"},
-      {"Materials", "Muscle y component", "system/fibres/y"},
-      {"Materials", "Muscle z component", "system/fibres/z"},
-      {"Materials", "Sigma naught base material", "system/tissues/muscle/base/stress scale"},
-      {"Materials", "Muscle base material factor", "system/tissues/muscle/base/factor"},
-      {"Materials", "Muscle base material constant 1", "system/tissues/muscle/base/c1"},
-      {"Materials", "Muscle base material constant 2", "system/tissues/muscle/base/c2"},
-      {"Materials", "Muscle base material constant 3", "system/tissues/muscle/base/c3"},
-      {"Nonlinear solver", "Nonlinear solver type", "", own_solver},
-      {"Nonlinear solver", "Max iterations Newton-Raphson", "solver/nonlinear/maximum iterations"},
-      {"Nonlinear solver", "Tolerance displacement", "", "convergence is judged by the residual"},
-      {"Nonlinear solver", "Tolerance force", "solver/nonlinear/absolute tolerance"},
-      {"Time", "End time"},
-      {"Time", "Time step size"},
-      {"Prescribed displacement", "Pulling face ID"},
-      {"Measuring locations", "Markers list file"},
-      {"Output binary files", "Output binary files main variables", "", other_output},
-      {"Output binary files", "Output binary files tensors", "", other_output},
+        {"Finite element system", "Polynomial degree", "system/discretisation/degree"},
+        {"Finite element system", "Quadrature order", "system/discretisation/quadrature points"},
+        {"Finite element system", "Type of simulation", "system/inertia"},
+        {"Geometry", "Global refinement"},
+        {"Geometry", "Length"},
+        {"Geometry", "Width"},
+        {"Geometry", "Height"},
+        {"Geometry", "Grid scale"},
+        {"Geometry", "Pressure ratio p/p0", "", "imported scenes have no pressure load"},
+        {"Linear solver", "Max iteration multiplier", "", own_solver},
+        {"Linear solver", "Residual", "", own_solver},
+        {"Linear solver", "Use static condensation", "", "pressure and dilatation are always eliminated"},
+        {"Linear solver", "Preconditioner type", "", own_solver},
+        {"Linear solver", "Preconditioner relaxation", "", own_solver},
+        {"Linear solver", "Solver type", "", own_solver},
+        {"Materials", "Muscle density", "system/tissues/muscle/density"},
+        {"Materials", "Sigma naught muscle", "system/tissues/muscle/fibre/maximum isometric stress"},
+        {"Materials", "Bulk modulus muscle", "system/tissues/muscle/bulk modulus"},
+        {"Materials", "Max strain rate", "system/tissues/muscle/fibre/maximum strain rate"},
+        {"Materials", "Muscle x component", "system/fibres/x"},
+        {"Materials", "Muscle y component", "system/fibres/y"},
+        {"Materials", "Muscle z component", "system/fibres/z"},
+        {"Materials", "Sigma naught base material", "system/tissues/muscle/base/stress scale"},
+        {"Materials", "Muscle base material factor", "system/tissues/muscle/base/factor"},
+        {"Materials", "Muscle base material constant 1", "system/tissues/muscle/base/c1"},
+        {"Materials", "Muscle base material constant 2", "system/tissues/muscle/base/c2"},
+        {"Materials", "Muscle base material constant 3", "system/tissues/muscle/base/c3"},
+        {"Nonlinear solver", "Nonlinear solver type", "", own_solver},
+        {"Nonlinear solver", "Max iterations Newton-Raphson", "solver/nonlinear/maximum iterations"},
+        {"Nonlinear solver", "Tolerance displacement", "", "convergence is judged by the residual"},
+        {"Nonlinear solver", "Tolerance force", "solver/nonlinear/absolute tolerance"},
+        {"Time", "End time"},
+        {"Time", "Time step size"},
+        {"Prescribed displacement", "Pulling face ID"},
+        {"Measuring locations", "Markers list file"},
+        {"Output binary files", "Output binary files main variables", "", other_output},
+        {"Output binary files", "Output binary files tensors", "", other_output},
     };
 
     /// The peer's parameters, each known and there.
@@ -118,7 +118,8 @@ namespace myolines
       [[noreturn]] void refuse(const std::string &section, const std::string &name, const std::string &expected) const
       {
         const PrmEntry &entry = *find(section, name);
-        throw InputError(InputProblem{file_ + ", line " + std::to_string(entry.line), name + " = \"" + entry.text + "\" cannot be carried over", expected, ""});
+        throw InputError(InputProblem{file_ + ", line " + std::to_string(entry.line),
+                                      name + " = \"" + entry.text + "\" cannot be carried over", expected, ""});
       }
 
     private:
@@ -136,7 +137,8 @@ namespace myolines
               }
             const std::string nearest = nearest_name(entry.name, names);
             if (!known)
-              problems.push_back({file_ + ", line " + std::to_string(entry.line), "unknown entry \"" + entry.name + "\" in subsection \"" + entry.section + "\"",
+              problems.push_back({file_ + ", line " + std::to_string(entry.line),
+                                  "unknown entry \"" + entry.name + "\" in subsection \"" + entry.section + "\"",
                                   "an entry of Flexodeal Lite", nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
           }
       }
@@ -147,7 +149,8 @@ namespace myolines
         const unsigned int last = entries_.empty() ? 1 : entries_.back().line;
         for (const Rule &rule : rules)
           if (rule.lost[0] == '\0' && std::string(rule.name) != "Markers list file" && find(rule.section, rule.name) == nullptr)
-            problems.push_back({file_ + ", line " + std::to_string(last), std::string("up to here, \"") + rule.name + "\" of subsection \"" + rule.section + "\" is not set",
+            problems.push_back({file_ + ", line " + std::to_string(last),
+                                std::string("up to here, \"") + rule.name + "\" of subsection \"" + rule.section + "\" is not set",
                                 "set " + std::string(rule.name) + " = VALUE", ""});
       }
 
@@ -156,7 +159,8 @@ namespace myolines
     };
 
     /// The lines of @p file as words, @p n_words each; all but the first @p n_names of them numbers.
-    std::vector<std::string> read_rows(const std::filesystem::path &file, const unsigned int n_names, const unsigned int n_words, const std::string &expected)
+    std::vector<std::string> read_rows(const std::filesystem::path &file, const unsigned int n_names, const unsigned int n_words,
+                                       const std::string &expected)
     {
       std::ifstream stream(file);
       if (!stream || std::filesystem::is_directory(file))
@@ -176,7 +180,8 @@ namespace myolines
           for (unsigned int i = n_names; i < row.size(); ++i)
             good = good && parse_number(row[i]);
           if (!good)
-            throw InputError(InputProblem{file.string() + ", line " + std::to_string(number), "\"" + trimmed(line) + "\" is not understood", expected, ""});
+            throw InputError(InputProblem{file.string() + ", line " + std::to_string(number), "\"" + trimmed(line) + "\" is not understood",
+                                          expected, ""});
           rows.push_back(join(row, " "));
         }
       return rows;
@@ -228,11 +233,13 @@ namespace myolines
       if (steps.empty() && whole < 1)
         peer.refuse("Time", "End time", "at least one time step");
       settings.push_back({"time/end", format_number(steps.empty() ? whole * step : schedule_length(steps))});
-      settings.push_back(steps.empty() ? scene::Setting{"time/step", peer.text("Time", "Time step size")} : scene::Setting{"time/steps", steps});
+      settings.push_back(steps.empty() ? scene::Setting{"time/step", peer.text("Time", "Time step size")}
+                                       : scene::Setting{"time/steps", steps});
       settings.push_back({"time/boundary rates", "scheme"});
       settings.push_back({"time/events", "land"});
       if (!steps.empty())
-        out << "replaced by --steps: Time / Time step size = " << peer.text("Time", "Time step size") << ", End time = " << peer.text("Time", "End time") << "\n";
+        out << "replaced by --steps: Time / Time step size = " << peer.text("Time", "Time step size")
+            << ", End time = " << peer.text("Time", "End time") << "\n";
     }
 
     void name_what_is_lost(const PeerParameters &peer, const bool markers, std::ostream &out)
@@ -261,7 +268,8 @@ namespace myolines
       add_profile(settings, "system/activation", options.activation);
       add_time(settings, peer, options.steps, out);
       if (!options.markers.empty())
-        settings.push_back({"output/series/markers", join(read_rows(options.markers, 1, 4, "\"name x y z\" with coordinates in metres"), "; ")});
+        settings.push_back(
+            {"output/series/markers", join(read_rows(options.markers, 1, 4, "\"name x y z\" with coordinates in metres"), "; ")});
       return settings;
     }
 

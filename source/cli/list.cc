@@ -84,12 +84,12 @@ namespace myolines
     const std::vector<std::pair<std::string, std::function<Items()>>> &topics()
     {
       static const std::vector<std::pair<std::string, std::function<Items()>>> all{
-        {"integrators", integrators},
-        {"systems", systems},
-        {"tissues", tissues},
-        {"profiles", [] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); }},
-        {"preconditioners", [] { return alternatives(LinearSolver::preconditioner_schema()); }},
-        {"outputs", outputs}};
+          {"integrators", integrators},
+          {"systems", systems},
+          {"tissues", tissues},
+          {"profiles", [] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); }},
+          {"preconditioners", [] { return alternatives(LinearSolver::preconditioner_schema()); }},
+          {"outputs", outputs}};
       return all;
     }
 
@@ -134,7 +134,7 @@ namespace myolines
 
   void template_command(const std::string &system, const std::string &integrator, std::ostream &out)
   {
-    const SystemEntry &            entry   = system_entry(system, "command line");
+    const SystemEntry             &entry   = system_entry(system, "command line");
     const std::vector<std::string> methods = names_of(integrator_registry(), [](const IntegratorEntry &e) { return e.facts.name; });
     const std::string              method  = integrator.empty() ? "backward euler" : integrator;
     if (std::find(methods.begin(), methods.end(), method) == methods.end())
@@ -145,7 +145,9 @@ namespace myolines
     if (!integrator_entry(method).facts.dynamic)
       {
         if (entry.without_inertia.empty())
-          throw InputError(InputProblem{"command line", "\"" + method + "\" ignores inertia, which the system \"" + system + "\" cannot be without", "an integrator for dynamics", ""});
+          throw InputError(InputProblem{"command line",
+                                        "\"" + method + "\" ignores inertia, which the system \"" + system + "\" cannot be without",
+                                        "an integrator for dynamics", ""});
         settings.insert(settings.end(), entry.without_inertia.begin(), entry.without_inertia.end());
       }
     out << scene::template_xml(root_schema(entry), settings);

@@ -51,8 +51,8 @@ namespace myolines
       {
         const auto     equals = assignment.find('=');
         const PrmEntry entry{join(sections_, "/"), trimmed(assignment.substr(0, equals)), trimmed(assignment.substr(equals + 1)), line};
-        const auto     same =
-          std::find_if(entries_.begin(), entries_.end(), [&entry](const PrmEntry &e) { return e.section == entry.section && e.name == entry.name; });
+        const auto     same = std::find_if(entries_.begin(), entries_.end(),
+                                           [&entry](const PrmEntry &e) { return e.section == entry.section && e.name == entry.name; });
         if (same != entries_.end())
           problem(line, "\"" + entry.name + "\" is set again, after line " + std::to_string(same->line), "every entry once");
         entries_.push_back(entry);

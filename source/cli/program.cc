@@ -44,7 +44,9 @@ namespace myolines
 
       void add_overrides(CLI::App *command)
       {
-        command->add_option("--set", run.overrides, "Overrides a value of the scene: \"time/step=1e-3\"; may be repeated")->allow_extra_args(false)->type_name("PATH=VALUE");
+        command->add_option("--set", run.overrides, "Overrides a value of the scene: \"time/step=1e-3\"; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("PATH=VALUE");
       }
 
       void add_run()
@@ -58,21 +60,24 @@ namespace myolines
 
       void add_check()
       {
-        CLI::App *command = add(app, "check", "Validates a scene and says what a run would do", [this] { check_command(run.scene, run.overrides, out_); });
+        CLI::App *command =
+            add(app, "check", "Validates a scene and says what a run would do", [this] { check_command(run.scene, run.overrides, out_); });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
         add_overrides(command);
       }
 
       void add_list()
       {
-        CLI::App *command = add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] { list_command(topic_, name_, out_); });
+        CLI::App *command =
+            add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] { list_command(topic_, name_, out_); });
         command->add_option("topic", topic_, join(list_topics()))->required()->type_name("TOPIC");
         command->add_option("name", name_, "Everything about this one")->type_name("NAME");
       }
 
       void add_template()
       {
-        CLI::App *command = add(app, "template", "Prints a complete, commented scene to start from", [this] { template_command(topic_, name_, out_); });
+        CLI::App *command =
+            add(app, "template", "Prints a complete, commented scene to start from", [this] { template_command(topic_, name_, out_); });
         command->add_option("system", topic_, "Kind of system, see: list systems")->required()->type_name("SYSTEM");
         command->add_option("integrator", name_, "Method, see: list integrators")->type_name("INTEGRATOR");
       }
@@ -80,16 +85,20 @@ namespace myolines
       void add_import()
       {
         CLI::App *import = app.add_subcommand("import", "Makes a scene of the files of another program")->require_subcommand(1);
-        CLI::App *command = add(*import, "flexodeal", "Makes a scene of the files of Flexodeal Lite", [this] { import_flexodeal(flexodeal_, out_); });
+        CLI::App *command =
+            add(*import, "flexodeal", "Makes a scene of the files of Flexodeal Lite", [this] { import_flexodeal(flexodeal_, out_); });
         command->add_option("parameters", flexodeal_.parameters, "Its parameters")->required()->type_name("PARAMETERS.prm");
         command->add_option("strain", flexodeal_.strain, "Control points of the strain")->required()->type_name("STRAIN.dat");
-        command->add_option("activation", flexodeal_.activation, "Control points of the activation")->required()->type_name("ACTIVATION.dat");
+        command->add_option("activation", flexodeal_.activation, "Control points of the activation")
+            ->required()
+            ->type_name("ACTIVATION.dat");
         command->add_option("--out", flexodeal_.scene, "The scene to write")->required()->type_name("SCENE.xml");
         command->add_option("--markers", flexodeal_.markers, "Its list of markers")->type_name("FILE");
-        command->add_option("--steps", flexodeal_.steps, "Schedule of steps instead of its step size: \"4 x 0.025; 8 x 0.0125\"")->type_name("STEPS");
+        command->add_option("--steps", flexodeal_.steps, "Schedule of steps instead of its step size: \"4 x 0.025; 8 x 0.0125\"")
+            ->type_name("STEPS");
       }
 
-      std::ostream &   out_;
+      std::ostream    &out_;
       std::string      topic_, name_;
       FlexodealOptions flexodeal_;
     };
@@ -102,7 +111,8 @@ namespace myolines
       return text;
     }
 
-    int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out, std::ostream &err)
+    int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out,
+                            std::ostream &err)
     {
       if (app.exit(error, out, err) == 0)
         return static_cast<int>(ExitCode::done);
@@ -135,7 +145,8 @@ namespace myolines
         {
           err << "The solve failed: " << error.what() << "\n"
               << "What was computed before is in the output folder; run.log there tells how the steps went.\n"
-              << "To try: a smaller time/step, time/control of type \"cut back\", more solver/nonlinear/\"maximum iterations\"." << std::endl;
+              << "To try: a smaller time/step, time/control of type \"cut back\", more solver/nonlinear/\"maximum iterations\"."
+              << std::endl;
           return ExitCode::solve_failed;
         }
       catch (const std::exception &error)

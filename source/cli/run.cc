@@ -25,7 +25,8 @@ namespace myolines
           }
       problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
       if (!problem.empty())
-        throw InputError(InputProblem{"output folder " + folder.string(), problem, "a folder that can be made and written", "choose another one with --out"});
+        throw InputError(InputProblem{"output folder " + folder.string(), problem, "a folder that can be made and written",
+                                      "choose another one with --out"});
     }
 
     /// Counts what happened, for the closing words.
@@ -39,7 +40,7 @@ namespace myolines
       }
       void rejected(const StepRecord &) override { ++rejections; }
 
-      double      t = 0;
+      double      t     = 0;
       std::size_t steps = 0, rejections = 0;
     };
 
@@ -60,8 +61,8 @@ namespace myolines
       for (const char *series : {"reaction.csv", "trajectory.csv"})
         if (std::filesystem::exists(folder / series))
           out << "  *.csv        time series, units in the header, for example\n"
-              << "               gnuplot -p -e \"set datafile separator ','; set key autotitle columnhead; plot '" << (folder / series).string()
-              << "' using 1:2 with lines\"\n";
+              << "               gnuplot -p -e \"set datafile separator ','; set key autotitle columnhead; plot '"
+              << (folder / series).string() << "' using 1:2 with lines\"\n";
       if (std::filesystem::exists(folder / "fields.pvd"))
         out << "  fields.pvd   fields, for ParaView\n";
       out << "  steps.csv, run.log, ledger.json   steps, iterations and work\n"

@@ -74,10 +74,7 @@ namespace myolines
         }
   }
 
-  void BlockMatrix::clear()
-  {
-    matrix_ = 0;
-  }
+  void BlockMatrix::clear() { matrix_ = 0; }
 
   void BlockMatrix::constrain(const unsigned int b, double *element_matrices) const
   {
@@ -88,7 +85,7 @@ namespace myolines
           for (int a = 0; a < 3; ++a)
             if (mask & (1u << a))
               {
-                double &     diagonal  = element_matrices[(3 * a + a) * block + (std::size_t(i) * n_nodes_ + i) * n_lanes + lane];
+                double      &diagonal  = element_matrices[(3 * a + a) * block + (std::size_t(i) * n_nodes_ + i) * n_lanes + lane];
                 const double magnitude = std::abs(diagonal);
                 for (int c = 0; c < 3; ++c)
                   for (int j = 0; j < n_nodes_; ++j)

@@ -50,13 +50,15 @@ namespace myolines
         ghosts.push_back(cell);
     const dealii::MappingQ1<3> mapping;
     const dealii::FE_Q<3>      any(1);
-    dealii::FEValues<3>        values(mapping, any, dealii::QGauss<3>(element.n_points_1d), dealii::update_inverse_jacobians | dealii::update_jacobians);
+    dealii::FEValues<3>        values(mapping, any, dealii::QGauss<3>(element.n_points_1d),
+                                      dealii::update_inverse_jacobians | dealii::update_jacobians);
     add_batches(owned, space, element, values);
     n_owned_ = n_batches();
     add_batches(ghosts, space, element, values);
   }
 
-  void CellBatches::add_batches(const std::vector<NodeSpace::Cell> &cells, const NodeSpace &space, const Element &element, dealii::FEValues<3> &values)
+  void CellBatches::add_batches(const std::vector<NodeSpace::Cell> &cells, const NodeSpace &space, const Element &element,
+                                dealii::FEValues<3> &values)
   {
     std::vector<dealii::types::global_dof_index> numbers;
     for (std::size_t first = 0; first < cells.size(); first += n_lanes)
@@ -103,7 +105,8 @@ namespace myolines
         for (int q = 0; q < element.n_points; ++q)
           for (int i = 0; i < n_modes_; ++i)
             for (int j = 0; j < n_modes_; ++j)
-              matrix(i, j) += element.weights_3d[q] * maps[lane].entries[q * 10 + 9] * element.modes[q * n_modes_ + i] * element.modes[q * n_modes_ + j];
+              matrix(i, j) += element.weights_3d[q] * maps[lane].entries[q * 10 + 9] * element.modes[q * n_modes_ + i] *
+                              element.modes[q * n_modes_ + j];
         matrix.gauss_jordan();
         for (int i = 0; i < n_modes_; ++i)
           for (int j = 0; j < n_modes_; ++j)
@@ -113,6 +116,7 @@ namespace myolines
 
   std::size_t CellBatches::memory() const
   {
-    return nodes_.size() * sizeof(unsigned int) + (geometry_.size() + mode_mass_.size()) * sizeof(double) + cells_.size() * sizeof(NodeSpace::Cell);
+    return nodes_.size() * sizeof(unsigned int) + (geometry_.size() + mode_mass_.size()) * sizeof(double) +
+           cells_.size() * sizeof(NodeSpace::Cell);
   }
 } // namespace myolines

@@ -20,13 +20,11 @@ namespace myolines
     }
   } // namespace
 
-  void make_block(dealii::parallel::distributed::Triangulation<3> &mesh,
-                  const std::array<double, 3> &                    size,
-                  const std::array<unsigned int, 3> &              cells,
-                  const unsigned int                               refinement)
+  void make_block(dealii::parallel::distributed::Triangulation<3> &mesh, const std::array<double, 3> &size,
+                  const std::array<unsigned int, 3> &cells, const unsigned int refinement)
   {
-    dealii::GridGenerator::subdivided_hyper_rectangle(
-      mesh, {cells[0], cells[1], cells[2]}, dealii::Point<3>(), dealii::Point<3>(size[0], size[1], size[2]), /*colorize*/ true);
+    dealii::GridGenerator::subdivided_hyper_rectangle(mesh, {cells[0], cells[1], cells[2]}, dealii::Point<3>(),
+                                                      dealii::Point<3>(size[0], size[1], size[2]), /*colorize*/ true);
     mesh.refine_global(refinement);
   }
 
@@ -60,7 +58,7 @@ namespace myolines
 
   std::vector<dealii::types::global_dof_index> NodeSpace::face_nodes(const dealii::types::boundary_id id) const
   {
-    dealii::IndexSet found(nodes_.n_dofs());
+    dealii::IndexSet                             found(nodes_.n_dofs());
     std::vector<dealii::types::global_dof_index> numbers(element_.n_dofs_per_face());
     for (const Cell &cell : nodes_.active_cell_iterators())
       if (!cell->is_artificial())

@@ -29,7 +29,10 @@ namespace myolines
       }
 
     private:
-      bool inside(const double x, const double tolerance) const { return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance; }
+      bool inside(const double x, const double tolerance) const
+      {
+        return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance;
+      }
 
       double         length_;
       SlabRule       rule_;
@@ -68,10 +71,26 @@ namespace myolines
     /// Sums over all ranks; the slab sums are still volume integrals.
     void reduce(BodyMeasures &m, const MPI_Comm communicator)
     {
-      for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.active_power, &m.dissipation,
-                        &m.work_density.volumetric, &m.work_density.muscle_active, &m.work_density.muscle_passive, &m.work_density.muscle_base,
-                        &m.slab_volume, &m.mean_stretch, &m.mean_pennation, &m.mean_strain_rate, &m.mean_velocity[0], &m.mean_velocity[1],
-                        &m.mean_velocity[2], &m.l2_displacement, &m.l2_pressure})
+      for (double *x : {&m.volume,
+                        &m.kinetic,
+                        &m.stored_volumetric,
+                        &m.stored_base,
+                        &m.stored_passive,
+                        &m.active_power,
+                        &m.dissipation,
+                        &m.work_density.volumetric,
+                        &m.work_density.muscle_active,
+                        &m.work_density.muscle_passive,
+                        &m.work_density.muscle_base,
+                        &m.slab_volume,
+                        &m.mean_stretch,
+                        &m.mean_pennation,
+                        &m.mean_strain_rate,
+                        &m.mean_velocity[0],
+                        &m.mean_velocity[1],
+                        &m.mean_velocity[2],
+                        &m.l2_displacement,
+                        &m.l2_pressure})
         *x = dealii::Utilities::MPI::sum(*x, communicator);
       m.min_jacobian = dealii::Utilities::MPI::min(m.min_jacobian, communicator);
       m.max_jacobian = dealii::Utilities::MPI::max(m.max_jacobian, communicator);
@@ -106,7 +125,8 @@ namespace myolines
     });
     reduce(m, system.discretisation().communicator);
 
-    for (double *x : {&m.work_density.volumetric, &m.work_density.muscle_active, &m.work_density.muscle_passive, &m.work_density.muscle_base})
+    for (double *x :
+         {&m.work_density.volumetric, &m.work_density.muscle_active, &m.work_density.muscle_passive, &m.work_density.muscle_base})
       *x /= m.volume;
     m.l2_displacement = std::sqrt(m.l2_displacement);
     m.l2_pressure     = std::sqrt(m.l2_pressure);

@@ -23,7 +23,8 @@ namespace myolines
     , element(parameters.degree, parameters.n_points)
     , instruction_set(set)
     , kernels(myolines::kernels(set, parameters.degree))
-    , tables{element.n_points_1d, element.n_modes, element.value.data(), element.derivative.data(), element.weights_3d.data(), element.modes.data()}
+    , tables{element.n_points_1d,       element.n_modes,           element.value.data(),
+             element.derivative.data(), element.weights_3d.data(), element.modes.data()}
     , scratch_(kernels.scratch_size(element.n_points_1d, element.n_modes))
   {
     make_block(mesh, parameters.geometry.size, parameters.geometry.cells, parameters.geometry.refinement);
@@ -40,7 +41,8 @@ namespace myolines
 
   KernelCells Muscle3dDiscretisation::kernel_cells(const unsigned int b) const
   {
-    return {batches->nodes(b), batches->geometry(b), batches->geometry_stride(b), batches->inverse_mode_mass(b), static_cast<int>(batches->n_filled(b))};
+    return {batches->nodes(b), batches->geometry(b), batches->geometry_stride(b), batches->inverse_mode_mass(b),
+            static_cast<int>(batches->n_filled(b))};
   }
 
   KernelModel kernel_model(const Muscle3dParameters &parameters, const double activation)

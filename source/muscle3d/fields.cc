@@ -14,7 +14,7 @@ namespace myolines
     /// A field that lives at quadrature points: how many numbers, and which.
     struct PointField
     {
-      std::string                                                                  name;
+      std::string                                                                   name;
       std::function<double(const Muscle3dParameters &, double, const PointState &)> value;
     };
 
@@ -24,19 +24,25 @@ namespace myolines
     {
       using Parameters = Muscle3dParameters;
       static const std::vector<PointField> fields{
-        {"pressure", [](const Parameters &, double, const PointState &p) { return p.pressure; }},
-        {"dilatation", [](const Parameters &, double, const PointState &p) { return p.dilatation; }},
-        {"jacobian", [](const Parameters &, double, const PointState &p) { return p.J; }},
-        {"stretch", [](const Parameters &, double, const PointState &p) { return p.stretch; }},
-        {"strain rate", [](const Parameters &, double, const PointState &p) { return p.strain_rate; }},
-        {"pennation", [](const Parameters &, double, const PointState &p) { return std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI; }},
-        {"fibre direction x", [](const Parameters &, double, const PointState &p) { return p.fibre[0] / p.stretch; }},
-        {"fibre direction y", [](const Parameters &, double, const PointState &p) { return p.fibre[1] / p.stretch; }},
-        {"fibre direction z", [](const Parameters &, double, const PointState &p) { return p.fibre[2] / p.stretch; }},
-        {"active stress", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_active, p).norm(); }},
-        {"passive stress", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_passive, p).norm(); }},
-        {"base stress", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_base, p).norm(); }},
-        {"stress xx", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).total(), p)[0][0]; }}};
+          {"pressure", [](const Parameters &, double, const PointState &p) { return p.pressure; }},
+          {"dilatation", [](const Parameters &, double, const PointState &p) { return p.dilatation; }},
+          {"jacobian", [](const Parameters &, double, const PointState &p) { return p.J; }},
+          {"stretch", [](const Parameters &, double, const PointState &p) { return p.stretch; }},
+          {"strain rate", [](const Parameters &, double, const PointState &p) { return p.strain_rate; }},
+          {"pennation",
+           [](const Parameters &, double, const PointState &p) {
+             return std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI;
+           }},
+          {"fibre direction x", [](const Parameters &, double, const PointState &p) { return p.fibre[0] / p.stretch; }},
+          {"fibre direction y", [](const Parameters &, double, const PointState &p) { return p.fibre[1] / p.stretch; }},
+          {"fibre direction z", [](const Parameters &, double, const PointState &p) { return p.fibre[2] / p.stretch; }},
+          {"active stress",
+           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_active, p).norm(); }},
+          {"passive stress",
+           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_passive, p).norm(); }},
+          {"base stress",
+           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_base, p).norm(); }},
+          {"stress xx", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).total(), p)[0][0]; }}};
       return fields;
     }
 
@@ -52,7 +58,8 @@ namespace myolines
       std::vector<dealii::types::global_dof_index> numbers(fe.n_dofs_per_cell());
       const double                                 activation = system.activation(state.t);
       PointStates(system, state).for_each([&](const NodeSpace::Cell &cell, const int q, const PointState &p) {
-        const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(), &target);
+        const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(),
+                                                                         &target);
         there->get_dof_indices(numbers);
         const double x = field.value(system.parameters(), activation, p);
         for (unsigned int i = 0; i < numbers.size(); ++i)
@@ -75,7 +82,8 @@ namespace myolines
         if (cell->is_locally_owned())
           {
             cell->get_dof_indices(from);
-            const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(), &target);
+            const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(),
+                                                                             &target);
             there->get_dof_indices(to);
             for (unsigned int i = 0; i < to.size(); ++i)
               if (target.locally_owned_dofs().is_element(to[i]))
@@ -100,9 +108,10 @@ namespace myolines
     return names;
   }
 
-  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields, const std::string &folder, const unsigned int number)
+  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
+                           const std::string &folder, const unsigned int number)
   {
-    const NodeSpace &         space = *system.discretisation().space;
+    const NodeSpace          &space  = *system.discretisation().space;
     const unsigned int        degree = space.degree();
     const dealii::FESystem<3> vector_element(dealii::FE_Q<3>(degree), 3);
     const dealii::FE_DGQ<3>   scalar_element(std::max(1u, degree - 1));
@@ -114,7 +123,8 @@ namespace myolines
     dealii::DataOutBase::VtkFlags flags(state.t, number);
     flags.write_higher_order_cells = true;
     out.set_flags(flags);
-    const std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> as_vector(3, dealii::DataComponentInterpretation::component_is_part_of_vector);
+    const std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> as_vector(
+        3, dealii::DataComponentInterpretation::component_is_part_of_vector);
     std::vector<std::unique_ptr<Vector>> data;
     for (const std::string &name : fields)
       if (name == "displacement" || name == "velocity")

@@ -33,12 +33,12 @@ namespace myolines
   {
     switch (instruction_set)
       {
-        case InstructionSet::avx512:
-          return "AVX-512";
-        case InstructionSet::avx2:
-          return "AVX2";
-        default:
-          return "baseline";
+      case InstructionSet::avx512:
+        return "AVX-512";
+      case InstructionSet::avx2:
+        return "AVX2";
+      default:
+        return "baseline";
       }
   }
 } // namespace myolines

@@ -1,9 +1,10 @@
 #if defined(__x86_64__)
-#include "kernels_impl.h"
+#  include "kernels_impl.h"
 
 namespace myolines
 {
   extern const Kernels kernels_avx2[3];
-  const Kernels kernels_avx2[3] = {make_kernels<InstructionSet::avx2, 2>(), make_kernels<InstructionSet::avx2, 3>(), make_kernels<InstructionSet::avx2, 4>()};
+  const Kernels        kernels_avx2[3] = {make_kernels<InstructionSet::avx2, 2>(), make_kernels<InstructionSet::avx2, 3>(),
+                                          make_kernels<InstructionSet::avx2, 4>()};
 } // namespace myolines
 #endif

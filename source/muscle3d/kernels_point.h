@@ -46,18 +46,18 @@ namespace myolines
   template <typename T>
   struct PointLaw
   {
-    const KernelModel &   model;
-    const Kinematics<T> & k;
-    T                     power; ///< J^(-2/3)
-    T                     I1;
-    T                     Q[9];
-    T                     a[3];    ///< F a0
-    T                     square;  ///< 1/|a|^2
-    T                     lam;     ///< isochoric stretch
-    T                     N[9];    ///< dlam/dF / lam
-    FibreStress<T>        fibre;
-    YeohDerivatives<T>    base;
-    T                     p;       ///< p_h
+    const KernelModel   &model;
+    const Kinematics<T> &k;
+    T                    power; ///< J^(-2/3)
+    T                    I1;
+    T                    Q[9];
+    T                    a[3];   ///< F a0
+    T                    square; ///< 1/|a|^2
+    T                    lam;    ///< isochoric stretch
+    T                    N[9];   ///< dlam/dF / lam
+    FibreStress<T>       fibre;
+    YeohDerivatives<T>   base;
+    T                    p; ///< p_h
 
     /// @p F_rate is used only if model.rate.
     MYOLINES_INLINE PointLaw(const KernelModel &m, const Kinematics<T> &kinematics, const T *F_rate, const T &pressure)
@@ -93,7 +93,8 @@ namespace myolines
         fibre = muscle_fibre<true, false>(m.tissue.fibre, activation, lam, T(0.));
       else
         {
-          fibre = muscle_fibre<true, true>(m.tissue.fibre, activation, lam, lam * dot(N, F_rate) * T(1. / m.tissue.fibre.maximum_strain_rate));
+          fibre =
+              muscle_fibre<true, true>(m.tissue.fibre, activation, lam, lam * dot(N, F_rate) * T(1. / m.tissue.fibre.maximum_strain_rate));
           fibre.g_strain_rate *= T(1. / m.tissue.fibre.maximum_strain_rate); // per unit of lam-dot from here on
         }
     }
@@ -155,10 +156,9 @@ namespace myolines
       for (int i = 0; i < 9; ++i)
         {
           const T volumetric = k.J * (dp * k.H[i] + u * p * (HdF * k.H[i] - Hd[i]));
-          const T isotropic  = base.second * Q[i] * QdF +
-                              base.first * (T(2.) * power * dF[i] - T(2. / 3.) * (Q[i] * HdF + k.H[i] * QdF) - T(4. / 9.) * I1 * k.H[i] * HdF +
-                                            T(2. / 3.) * I1 * Hd[i]);
-          dP[i] = volumetric + u * (isotropic + fibre.g * Ld[i]) + along * lam * N[i];
+          const T isotropic  = base.second * Q[i] * QdF + base.first * (T(2.) * power * dF[i] - T(2. / 3.) * (Q[i] * HdF + k.H[i] * QdF) -
+                                                                       T(4. / 9.) * I1 * k.H[i] * HdF + T(2. / 3.) * I1 * Hd[i]);
+          dP[i]              = volumetric + u * (isotropic + fibre.g * Ld[i]) + along * lam * N[i];
           if (model.rate && !model.exact_tangent)
             dP[i] += across * LF[i];
         }
@@ -167,7 +167,8 @@ namespace myolines
     /// The tangent without its volumetric rank (dp) as 81 coefficients in unit-cell directions, times @p weight:
     /// c[(3 a + b) * stride9 + (3 A + B) * stride] for node directions A, B and components a, b. @p inverse is
     /// dxi_A/dX_J at 3 A + J.
-    MYOLINES_INLINE void coefficients(const T *inverse, const T *LF, const double w_u, const double w_v, const T &weight, T *c, const int stride9, const int stride) const
+    MYOLINES_INLINE void coefficients(const T *inverse, const T *LF, const double w_u, const double w_v, const T &weight, T *c,
+                                      const int stride9, const int stride) const
     {
       T h[9], q[9], n[9], l[9], a0[3], metric[9];
       pull(inverse, k.H, h);
@@ -177,13 +178,15 @@ namespace myolines
         pull(inverse, LF, l);
       for (int A = 0; A < 3; ++A)
         {
-          a0[A] = inverse[3 * A] * T(model.fibre_direction[0]) + inverse[3 * A + 1] * T(model.fibre_direction[1]) + inverse[3 * A + 2] * T(model.fibre_direction[2]);
+          a0[A] = inverse[3 * A] * T(model.fibre_direction[0]) + inverse[3 * A + 1] * T(model.fibre_direction[1]) +
+                  inverse[3 * A + 2] * T(model.fibre_direction[2]);
           for (int B = 0; B < 3; ++B)
-            metric[3 * A + B] = inverse[3 * A] * inverse[3 * B] + inverse[3 * A + 1] * inverse[3 * B + 1] + inverse[3 * A + 2] * inverse[3 * B + 2];
+            metric[3 * A + B] =
+                inverse[3 * A] * inverse[3 * B] + inverse[3 * A + 1] * inverse[3 * B + 1] + inverse[3 * A + 2] * inverse[3 * B + 2];
         }
 
       const T wu = T(w_u) * weight, psi1 = base.first * wu, psi2 = base.second * wu, g = fibre.g * lam * wu, pJ = p * k.J * wu;
-      T       nn  = fibre.g_stretch * lam * lam * wu + g;
+      T       nn = fibre.g_stretch * lam * lam * wu + g;
       T       nl(0.); // factor of N (x) L:F_rate
       if (model.rate)
         {

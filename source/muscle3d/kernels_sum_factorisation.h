@@ -35,7 +35,7 @@ namespace myolines
             T a(0.), b(0.), c(0.);
             for (int j = 0; j < n1; ++j)
               {
-                const T N(t.value[q * n1 + j]), D(t.derivative[q * n1 + j]);
+                const T  N(t.value[q * n1 + j]), D(t.derivative[q * n1 + j]);
                 const T &v = x_value[(k * n1 + j) * n + p];
                 a += N * v;
                 b += N * x_slope[(k * n1 + j) * n + p];
@@ -52,7 +52,7 @@ namespace myolines
           T v(0.), gx(0.), gy(0.), gz(0.);
           for (int k = 0; k < n1; ++k)
             {
-              const T N(t.value[r * n1 + k]), D(t.derivative[r * n1 + k]);
+              const T  N(t.value[r * n1 + k]), D(t.derivative[r * n1 + k]);
               const T &w = vv[k * n * n + pq];
               v += N * w;
               gz += D * w;
@@ -152,7 +152,7 @@ namespace myolines
             plane[z][p] = T(0.);
         for (int q = 0; q < n; ++q)
           {
-            const int first = (r * n + q) * n;
+            const int  first    = (r * n + q) * n;
             const auto add_line = [&](const T *field, const int kx, const int ky, const int kz) {
               T line[pairs];
               for (int p = 0; p < pairs; ++p)
@@ -173,7 +173,7 @@ namespace myolines
         for (int iz = 0; iz < n1; ++iz)
           for (int jz = 0; jz < n1; ++jz)
             {
-              const int pz   = iz * n1 + jz;
+              const int pz = iz * n1 + jz;
               const T   f0(factor[0][r][pz]), f1(factor[1][r][pz]), f2(factor[2][r][pz]), f3(factor[3][r][pz]);
               for (int iy = 0; iy < n1; ++iy)
                 for (int jy = 0; jy < n1; ++jy)

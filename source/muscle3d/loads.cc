@@ -65,7 +65,8 @@ namespace myolines
         const BoundaryCondition &condition = *motion.condition;
         std::array<double, 3>    strain{}; // value and two derivatives
         if (condition.type == BoundaryCondition::Type::strain)
-          strain = {{condition.strain->value(t, side), condition.strain->first_derivative(t, side), condition.strain->second_derivative(t, side)}};
+          strain = {{condition.strain->value(t, side), condition.strain->first_derivative(t, side),
+                     condition.strain->second_derivative(t, side)}};
         for (const auto node : motion.nodes)
           for (unsigned int c = 0; c < 3; ++c)
             if (condition.components[c])
@@ -86,11 +87,10 @@ namespace myolines
   {
     if (tractions_.empty())
       return;
-    const NodeSpace &         space = *discretisation_.space;
-    const dealii::FiniteElement<3> &fe = space.nodes().get_fe();
-    dealii::FEFaceValues<3>   values(fe,
-                                   dealii::QGauss<2>(discretisation_.element.n_points_1d),
-                                   dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    const NodeSpace                             &space = *discretisation_.space;
+    const dealii::FiniteElement<3>              &fe    = space.nodes().get_fe();
+    dealii::FEFaceValues<3>                      values(fe, dealii::QGauss<2>(discretisation_.element.n_points_1d),
+                                                        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
     std::vector<dealii::types::global_dof_index> nodes(fe.n_dofs_per_cell());
     for (const Traction &traction : tractions_)
       for (const auto &cell : space.nodes().active_cell_iterators())
@@ -115,11 +115,10 @@ namespace myolines
   {
     if (!body_force_)
       return;
-    const NodeSpace &                            space = *discretisation_.space;
-    const dealii::FiniteElement<3> &             fe    = space.nodes().get_fe();
-    dealii::FEValues<3>                          values(fe,
-                               dealii::QGauss<3>(discretisation_.element.n_points_1d),
-                               dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+    const NodeSpace                             &space = *discretisation_.space;
+    const dealii::FiniteElement<3>              &fe    = space.nodes().get_fe();
+    dealii::FEValues<3>                          values(fe, dealii::QGauss<3>(discretisation_.element.n_points_1d),
+                                                        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
     std::vector<dealii::types::global_dof_index> nodes(fe.n_dofs_per_cell());
     for (const auto &cell : space.nodes().active_cell_iterators())
       if (cell->is_locally_owned())

@@ -17,19 +17,19 @@ namespace myolines
     : system_(system)
     , markers_(std::move(markers))
   {
-    const NodeSpace &              space = *system.discretisation().space;
-    const dealii::FiniteElement<3> &fe   = space.nodes().get_fe();
-    const dealii::MappingQ1<3>     mapping;
-    std::vector<InputProblem>      problems;
+    const NodeSpace                &space = *system.discretisation().space;
+    const dealii::FiniteElement<3> &fe    = space.nodes().get_fe();
+    const dealii::MappingQ1<3>      mapping;
+    std::vector<InputProblem>       problems;
     for (const Marker &marker : markers_)
       {
         std::shared_ptr<Place> place;
         unsigned int           owner = std::numeric_limits<unsigned int>::max();
-        const auto [cell, unit] = dealii::GridTools::find_active_cell_around_point(mapping, space.nodes(), marker.position, {}, 1e-9);
+        const auto [cell, unit]      = dealii::GridTools::find_active_cell_around_point(mapping, space.nodes(), marker.position, {}, 1e-9);
         if (cell.state() == dealii::IteratorState::valid && cell->is_locally_owned())
           {
-            owner        = dealii::Utilities::MPI::this_mpi_process(space.communicator());
-            place        = std::make_shared<Place>();
+            owner = dealii::Utilities::MPI::this_mpi_process(space.communicator());
+            place = std::make_shared<Place>();
             place->nodes.resize(fe.n_dofs_per_cell());
             cell->get_dof_indices(place->nodes);
             const dealii::Point<3> inside = dealii::GeometryInfo<3>::project_to_unit_cell(unit);
@@ -42,9 +42,11 @@ namespace myolines
           {
             std::ostringstream position;
             position << marker.position;
-            problems.push_back({where, "marker \"" + marker.name + "\" at (" + position.str() + ") m lies outside the body", "a point of the reference body",
+            problems.push_back({where, "marker \"" + marker.name + "\" at (" + position.str() + ") m lies outside the body",
+                                "a point of the reference body",
                                 "the block spans 0 to " + std::to_string(system.parameters().geometry.size[0]) + ", " +
-                                  std::to_string(system.parameters().geometry.size[1]) + ", " + std::to_string(system.parameters().geometry.size[2]) + " m"});
+                                    std::to_string(system.parameters().geometry.size[1]) + ", " +
+                                    std::to_string(system.parameters().geometry.size[2]) + " m"});
           }
         places_.push_back(lowest == owner ? place : nullptr);
       }

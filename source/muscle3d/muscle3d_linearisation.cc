@@ -27,10 +27,10 @@ namespace myolines
     /// Translations and rotations about the middle of the body, zero on constrained unknowns.
     std::vector<Vector> rigid_body_modes(const Muscle3dDiscretisation &d)
     {
-      std::vector<Vector> modes(6, d.space->make_vector());
+      std::vector<Vector>   modes(6, d.space->make_vector());
       std::array<double, 3> middle{};
-      std::size_t           n = 0;
-      const auto &          owned = d.space->nodes().locally_owned_dofs();
+      std::size_t           n     = 0;
+      const auto           &owned = d.space->nodes().locally_owned_dofs();
       for (const auto node : owned)
         {
           for (unsigned int c = 0; c < 3; ++c)
@@ -41,9 +41,9 @@ namespace myolines
         m = dealii::Utilities::MPI::sum(m, d.communicator) / dealii::Utilities::MPI::sum(double(n), d.communicator);
       for (const auto node : owned)
         {
-          const dealii::Point<3> &x = d.space->node_position(node);
-          const double            r[3] = {x[0] - middle[0], x[1] - middle[1], x[2] - middle[2]};
-          const double entries[6][3]   = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -r[2], r[1]}, {r[2], 0, -r[0]}, {-r[1], r[0], 0}};
+          const dealii::Point<3> &x             = d.space->node_position(node);
+          const double            r[3]          = {x[0] - middle[0], x[1] - middle[1], x[2] - middle[2]};
+          const double            entries[6][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -r[2], r[1]}, {r[2], 0, -r[0]}, {-r[1], r[0], 0}};
           for (unsigned int mode = 0; mode < 6; ++mode)
             for (unsigned int c = 0; c < 3; ++c)
               if (!d.constraints.is_constrained(3 * node + c))
@@ -53,7 +53,8 @@ namespace myolines
     }
   } // namespace
 
-  Muscle3dLinearisation::Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation, WorkLedger &ledger)
+  Muscle3dLinearisation::Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
+                                               WorkLedger &ledger)
     : parameters_(parameters)
     , discretisation_(discretisation)
     , ledger_(ledger)
@@ -78,13 +79,13 @@ namespace myolines
   void Muscle3dLinearisation::apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const
   {
     const CurrentGhosts current(x);
-    const Weights &     w    = weights[2];
+    const Weights      &w    = weights[2];
     const double        k[3] = {w.u, w.v, w.a};
     y.zero_out_ghost_values();
     y = 0;
     for (unsigned int b = 0; b < discretisation_.batches->n_owned_batches(); ++b)
-      discretisation_.kernels.apply(
-        discretisation_.tables, model_, discretisation_.kernel_cells(b), k, u_.begin(), v_.begin(), current.begin(), y.begin(), discretisation_.scratch());
+      discretisation_.kernels.apply(discretisation_.tables, model_, discretisation_.kernel_cells(b), k, u_.begin(), v_.begin(),
+                                    current.begin(), y.begin(), discretisation_.scratch());
     y.compress(dealii::VectorOperation::add);
     ledger_.count("tangent actions");
     count_terms(model_, "tangent action", ledger_);
@@ -96,7 +97,6 @@ namespace myolines
     if (current_ && assembled_.u == w.u && assembled_.v == w.v && assembled_.a == w.a)
       return matrix_->matrix();
 
-    WorkLedger::Timer timer(ledger_, "assembly");
     ledger_.count("matrix assemblies");
     count_terms(model_, "assembly", ledger_);
     const Muscle3dDiscretisation &d = discretisation_;

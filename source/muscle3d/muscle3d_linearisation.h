@@ -17,7 +17,7 @@ namespace myolines
     const double *begin() const { return (copy_ ? *copy_ : x_).begin(); }
 
   private:
-    const Vector &          x_;
+    const Vector           &x_;
     std::unique_ptr<Vector> copy_;
   };
 
@@ -33,18 +33,18 @@ namespace myolines
     void refill(const Point &point, double activation);
 
     void                  apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
-    const SparseMatrix &  sparse(const WeightsByOrder &weights) override;
+    const SparseMatrix   &sparse(const WeightsByOrder &weights) override;
     const MultilevelData *multilevel() const override;
 
   private:
-    const Muscle3dParameters &    parameters_;
-    const Muscle3dDiscretisation &discretisation_;
-    WorkLedger &                  ledger_;
-    KernelModel                   model_;
-    Vector                        u_, v_;
-    std::unique_ptr<BlockMatrix>  matrix_;
-    Weights                       assembled_; ///< weights of the matrix, if current_
-    bool                          current_ = false;
+    const Muscle3dParameters               &parameters_;
+    const Muscle3dDiscretisation           &discretisation_;
+    WorkLedger                             &ledger_;
+    KernelModel                             model_;
+    Vector                                  u_, v_;
+    std::unique_ptr<BlockMatrix>            matrix_;
+    Weights                                 assembled_; ///< weights of the matrix, if current_
+    bool                                    current_ = false;
     mutable std::unique_ptr<MultilevelData> multilevel_;
   };
 } // namespace myolines

@@ -39,7 +39,10 @@ namespace myolines
 
   std::size_t Muscle3dSystem::n_cells() const { return discretisation_->mesh.n_global_active_cells(); }
 
-  double Muscle3dSystem::activation(const double t, const Side side) const { return parameters_.activation ? parameters_.activation->value(t, side) : 0.; }
+  double Muscle3dSystem::activation(const double t, const Side side) const
+  {
+    return parameters_.activation ? parameters_.activation->value(t, side) : 0.;
+  }
 
   State Muscle3dSystem::initial_state(const double t0) const
   {
@@ -86,7 +89,10 @@ namespace myolines
     return {};
   }
 
-  std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const { return std::make_unique<Muscle3dLinearisation>(parameters_, *discretisation_, ledger_); }
+  std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const
+  {
+    return std::make_unique<Muscle3dLinearisation>(parameters_, *discretisation_, ledger_);
+  }
 
   void Muscle3dSystem::linearise(const Point &point, Linearisation &linearisation) const
   {

@@ -15,19 +15,18 @@ namespace myolines
     using scene::Range;
     using scene::Schema;
 
-    const std::vector<std::string> face_names{"x-", "x+", "y-", "y+", "z-", "z+"};
     const std::array<const char *, 3> axes{{"x", "y", "z"}};
 
     Schema geometry_schema()
     {
       Schema block("Box with one corner at the origin; its faces are x-, x+, y-, y+, z-, z+.");
       block.number("length", 0.03, "m", Range::positive(), "Extent along x, the line of action.")
-        .number("width", 0.01, "m", Range::positive(), "Extent along y.")
-        .number("height", 0.01, "m", Range::positive(), "Extent along z.")
-        .integer("cells x", 1, Range::closed(1, 1000), "Coarse cells along x.")
-        .integer("cells y", 1, Range::closed(1, 1000), "Coarse cells along y.")
-        .integer("cells z", 1, Range::closed(1, 1000), "Coarse cells along z.")
-        .integer("refinement", 3, Range::closed(0, 8), "Each refinement halves the cells in all directions.");
+          .number("width", 0.01, "m", Range::positive(), "Extent along y.")
+          .number("height", 0.01, "m", Range::positive(), "Extent along z.")
+          .integer("cells x", 1, Range::closed(1, 1000), "Coarse cells along x.")
+          .integer("cells y", 1, Range::closed(1, 1000), "Coarse cells along y.")
+          .integer("cells z", 1, Range::closed(1, 1000), "Coarse cells along z.")
+          .integer("refinement", 3, Range::closed(0, 8), "Each refinement halves the cells in all directions.");
       return Schema("Reference body and its mesh.").variant("type", "block", {{"block", block}}, "Shape of the body.");
     }
 
@@ -35,21 +34,21 @@ namespace myolines
     {
       Schema fibre("Hill-type fibres, sigma = sigma0 (a sA(lam) sV(e) + sP(lam)), thesis (5.2.5) and appendix A.2.");
       fibre.number("maximum isometric stress", 2e5, "Pa", Range::not_negative(), "sigma0 of the fibres.")
-        .number("maximum strain rate", 5, "1/s", Range::positive(), "Maximum unloaded strain rate e0.")
-        .boolean("force-velocity", true, "Whether the active stress depends on the strain rate (quasi-static: never).");
+          .number("maximum strain rate", 5, "1/s", Range::positive(), "Maximum unloaded strain rate e0.")
+          .boolean("force-velocity", true, "Whether the active stress depends on the strain rate (quasi-static: never).");
 
       Schema base("Isotropic base material, Yeoh: Psi = factor * scale * sum c_k (I1 - 3)^k.");
       base.number("stress scale", 2e5, "Pa", Range::not_negative(), "sigma0 of the base material.")
-        .number("factor", 1, "-", Range::not_negative(), "Multiplies the stress scale.")
-        .number("c1", 0.1990559575103343, "-", Range::any(), "First Yeoh constant.")
-        .number("c2", 0.3662334826469149, "-", Range::any(), "Second Yeoh constant.")
-        .number("c3", 0, "-", Range::any(), "Third Yeoh constant.");
+          .number("factor", 1, "-", Range::not_negative(), "Multiplies the stress scale.")
+          .number("c1", 0.1990559575103343, "-", Range::any(), "First Yeoh constant.")
+          .number("c2", 0.3662334826469149, "-", Range::any(), "Second Yeoh constant.")
+          .number("c3", 0, "-", Range::any(), "Third Yeoh constant.");
 
       Schema muscle("Muscle tissue: fibres in a nearly incompressible base material.");
       muscle.number("density", 1060, "kg/m^3", Range::positive(), "Mass per reference volume.")
-        .number("bulk modulus", 1e7, "Pa", Range::positive(), "kappa of Psi_vol = kappa/4 (D^2 - 2 ln D - 1).")
-        .section("fibre", fibre)
-        .section("base", base);
+          .number("bulk modulus", 1e7, "Pa", Range::positive(), "kappa of Psi_vol = kappa/4 (D^2 - 2 ln D - 1).")
+          .section("fibre", fibre)
+          .section("base", base);
       return Schema("Materials of the body.").section("muscle", muscle);
     }
 
@@ -58,9 +57,11 @@ namespace myolines
       Schema angle("a0 = (cos, 0, sin) of the angle, in the x-z plane.");
       angle.number("angle", 0, "degree", Range::closed(-90, 90), "Pennation angle at rest, from x towards z.");
       Schema direction("a0 along a given vector, normalised.");
-      direction.number("x", 1, "-", Range::any(), "x component.").number("y", 0, "-", Range::any(), "y component.").number("z", 0, "-", Range::any(), "z component.");
+      direction.number("x", 1, "-", Range::any(), "x component.")
+          .number("y", 0, "-", Range::any(), "y component.")
+          .number("z", 0, "-", Range::any(), "z component.");
       return Schema("Fibre direction at rest.")
-        .variant("type", "pennation angle", {{"pennation angle", angle}, {"direction", direction}}, "How the direction is given.");
+          .variant("type", "pennation angle", {{"pennation angle", angle}, {"direction", direction}}, "How the direction is given.");
     }
 
     /// "x", "y", "z" formulas of position and time.
@@ -78,9 +79,9 @@ namespace myolines
 
       Schema strain("The face moves by reference length * strain(t) along a direction; prescribed components across it stay zero.");
       strain.text("components", "x y z", components)
-        .text("direction", "1 0 0", "Direction of the motion; normalised.")
-        .optional_number("reference length", "m", Range::positive(), "Length that the strain refers to; default: length of the block.")
-        .section("strain", drive_schema("boundary strain", "-"));
+          .text("direction", "1 0 0", "Direction of the motion; normalised.")
+          .optional_number("reference length", "m", Range::positive(), "Length that the strain refers to; default: length of the block.")
+          .section("strain", drive_schema("boundary strain", "-"));
 
       Schema formula("The face moves by a displacement u(X, t) given by formulas, together with its time derivatives.");
       formula.text("components", "x y z", components);
@@ -92,18 +93,21 @@ namespace myolines
       add_formulas(traction, "traction ", "Traction [Pa]");
 
       Schema each("A named condition on one face.");
-      each.text("face", std::nullopt, "Face of the block: " + join(face_names) + ".");
-      each.variant("type", std::nullopt, {{"fixed", fixed}, {"strain", strain}, {"formula", formula}, {"traction", traction}}, "Kind of condition.");
-      return Schema("Boundary conditions, each a list with a name of your choice; faces without one are free of traction.").named_sections(each);
+      each.text("face", std::nullopt, "Face of the block: " + join(face_names()) + ".");
+      each.variant("type", std::nullopt, {{"fixed", fixed}, {"strain", strain}, {"formula", formula}, {"traction", traction}},
+                   "Kind of condition.");
+      return Schema("Boundary conditions, each a list with a name of your choice; faces without one are free of traction.")
+          .named_sections(each);
     }
 
     unsigned int read_face(const Node &node)
     {
       const std::string name  = node.text("face");
-      const auto        found = std::find(face_names.begin(), face_names.end(), name);
-      if (found == face_names.end())
-        node.refuse("face", "the block has no face \"" + name + "\"", "one of " + join(face_names), "nearest: \"" + nearest_name(name, face_names) + "\"");
-      return static_cast<unsigned int>(found - face_names.begin());
+      const auto        found = std::find(face_names().begin(), face_names().end(), name);
+      if (found == face_names().end())
+        node.refuse("face", "the block has no face \"" + name + "\"", "one of " + join(face_names()),
+                    "nearest: \"" + nearest_name(name, face_names()) + "\"");
+      return static_cast<unsigned int>(found - face_names().begin());
     }
 
     std::array<bool, 3> read_components(const Node &node)
@@ -156,7 +160,8 @@ namespace myolines
         }
       catch (const mu::ParserError &error)
         {
-          node.refuse(parameter, "\"" + text + "\" is not a formula: " + error.GetMsg(), "an expression of x, y, z, t and pi, e.g. \"0.01*x*sin(2*pi*t)\"");
+          node.refuse(parameter, "\"" + text + "\" is not a formula: " + error.GetMsg(),
+                      "an expression of x, y, z, t and pi, e.g. \"0.01*x*sin(2*pi*t)\"");
         }
       return text;
     }
@@ -205,15 +210,15 @@ namespace myolines
           for (unsigned int c = 0; c < 3; ++c)
             if (conditions[i].face == conditions[j].face && conditions[i].components[c] && conditions[j].components[c])
               node.refuse(conditions[i].name,
-                          std::string("prescribes component ") + axes[c] + " of face " + face_names[conditions[i].face] + ", as \"" + conditions[j].name +
-                            "\" does already",
+                          std::string("prescribes component ") + axes[c] + " of face " + face_names()[conditions[i].face] + ", as \"" +
+                              conditions[j].name + "\" does already",
                           "one condition for each component of a face");
     }
 
     TissueParameters read_tissue(const Node &muscle)
     {
-      const Node &     fibre = muscle.section("fibre");
-      const Node &     base  = muscle.section("base");
+      const Node      &fibre = muscle.section("fibre");
+      const Node      &base  = muscle.section("base");
       TissueParameters tissue;
       tissue.density                   = muscle.number("density");
       tissue.bulk_modulus              = muscle.number("bulk modulus");
@@ -235,6 +240,12 @@ namespace myolines
     }
   } // namespace
 
+  const std::vector<std::string> &face_names()
+  {
+    static const std::vector<std::string> names{"x-", "x+", "y-", "y+", "z-", "z+"};
+    return names;
+  }
+
   scene::Schema muscle3d_schema()
   {
     Schema force("Body force per reference volume.");
@@ -242,18 +253,19 @@ namespace myolines
 
     Schema discretisation("Continuous displacements of degree k; pressure and dilatation of degree k - 1, eliminated cell by cell.");
     discretisation.integer("degree", 2, Range::closed(1, 3), "Degree k of the displacement.")
-      .integer("quadrature points", 4, Range::closed(2, 6), "Gauss points per direction; dynamic runs of degree 2 want at least 4.");
+        .integer("quadrature points", 4, Range::closed(2, 6), "Gauss points per direction; dynamic runs of degree 2 want at least 4.");
 
     Schema system("Three-dimensional muscle, nearly incompressible and fibre-reinforced, thesis chapters 5 and 6.");
     system.choice("inertia", "dynamic", {"dynamic", "quasi-static"}, "Whether mass and strain rate take part.")
-      .choice("tangent", "exact", {"exact", "symmetrised"}, "Linearisation: exact (Newton converges quadratically) or its symmetric part.")
-      .section("geometry", geometry_schema())
-      .section("discretisation", discretisation)
-      .section("tissues", muscle_schema())
-      .section("fibres", fibres_schema())
-      .section("boundary", boundary_schema())
-      .optional_section("activation", drive_schema("activation", "-"))
-      .optional_section("body force", force);
+        .choice("tangent", "exact", {"exact", "symmetrised"},
+                "Linearisation: exact (Newton converges quadratically) or its symmetric part.")
+        .section("geometry", geometry_schema())
+        .section("discretisation", discretisation)
+        .section("tissues", muscle_schema())
+        .section("fibres", fibres_schema())
+        .section("boundary", boundary_schema())
+        .optional_section("activation", drive_schema("activation", "-"))
+        .optional_section("body force", force);
     return system;
   }
 
@@ -265,11 +277,10 @@ namespace myolines
     p.degree        = system.section("discretisation").integer("degree");
     p.n_points      = system.section("discretisation").integer("quadrature points");
 
-    const Node &geometry  = system.section("geometry");
-    p.geometry.size       = {{geometry.number("length"), geometry.number("width"), geometry.number("height")}};
-    p.geometry.cells      = {{static_cast<unsigned int>(geometry.integer("cells x")),
-                         static_cast<unsigned int>(geometry.integer("cells y")),
-                         static_cast<unsigned int>(geometry.integer("cells z"))}};
+    const Node &geometry = system.section("geometry");
+    p.geometry.size      = {{geometry.number("length"), geometry.number("width"), geometry.number("height")}};
+    p.geometry.cells     = {{static_cast<unsigned int>(geometry.integer("cells x")), static_cast<unsigned int>(geometry.integer("cells y")),
+                             static_cast<unsigned int>(geometry.integer("cells z"))}};
     p.geometry.refinement = geometry.integer("refinement");
 
     p.tissue          = read_tissue(system.section("tissues").section("muscle"));

@@ -39,16 +39,16 @@ namespace myolines
     p.dilatation = value(point_dilatation);
     p.JxW        = value(point_JxW);
 
-    p.J                       = determinant(p.F);
-    p.fibre                   = p.F * a0_;
-    p.stretch                 = p.fibre.norm();
-    p.isochoric_stretch       = p.stretch / std::cbrt(p.J);
-    const double growth       = p.fibre * (p.F_rate * a0_) / (p.stretch * p.stretch); // of ln |a|
-    const double swelling     = trace(invert(p.F) * p.F_rate);                        // of ln J
-    const double e0           = parameters_.tissue.fibre.maximum_strain_rate;
-    p.isochoric_rate          = p.isochoric_stretch * (growth - swelling / 3);
-    p.strain_rate             = p.stretch * growth / e0;
-    p.isochoric_strain_rate   = p.isochoric_rate / e0;
+    p.J                     = determinant(p.F);
+    p.fibre                 = p.F * a0_;
+    p.stretch               = p.fibre.norm();
+    p.isochoric_stretch     = p.stretch / std::cbrt(p.J);
+    const double growth     = p.fibre * (p.F_rate * a0_) / (p.stretch * p.stretch); // of ln |a|
+    const double swelling   = trace(invert(p.F) * p.F_rate);                        // of ln J
+    const double e0         = parameters_.tissue.fibre.maximum_strain_rate;
+    p.isochoric_rate        = p.isochoric_stretch * (growth - swelling / 3);
+    p.strain_rate           = p.stretch * growth / e0;
+    p.isochoric_strain_rate = p.isochoric_rate / e0;
     return p;
   }
 
@@ -57,8 +57,8 @@ namespace myolines
     const KernelModel model = kernel_model(parameters, activation);
     const Matrix3     H     = transpose(invert(p.F));
     const double      power = std::pow(p.J, -2. / 3), I1 = power * p.F.norm_square(), lam = p.isochoric_stretch;
-    const Vector3     a0    = to_vector(parameters.fibre_direction);
-    const Matrix3     G     = lam * (outer_product(p.fibre, a0) / p.fibre.norm_square() - H / 3.);
+    const Vector3     a0 = to_vector(parameters.fibre_direction);
+    const Matrix3     G  = lam * (outer_product(p.fibre, a0) / p.fibre.norm_square() - H / 3.);
 
     Parts<Matrix3> parts;
     parts.volumetric     = p.pressure * p.J * H;

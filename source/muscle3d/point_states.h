@@ -54,7 +54,7 @@ namespace myolines
     const Muscle3dDiscretisation &discretisation() const { return d_; }
 
   private:
-    const Muscle3dParameters &    parameters_;
+    const Muscle3dParameters     &parameters_;
     const Muscle3dDiscretisation &d_;
     KernelModel                   model_;
     Vector3                       a0_;

@@ -69,7 +69,7 @@ namespace myolines
       }
 
       const unsigned int size_;
-      WorkLedger &       ledger_;
+      WorkLedger        &ledger_;
       Block              stiffness_{};
       Block              damping_{};
       Block              mass_{};
@@ -89,13 +89,13 @@ namespace myolines
     using scene::Range;
     scene::Schema schema("One mass on a spring, m u'' + c (u' - s') + k (u - s) + k3 (u - s)^3 = f(t).");
     schema.number("mass", 1, "kg", Range::positive(), "Mass m.")
-      .number("damping", 0, "N s/m", Range::not_negative(), "Damping c.")
-      .number("stiffness", 1, "N/m", Range::any(), "Stiffness k.")
-      .number("cubic stiffness", 0, "N/m^3", Range::any(), "Cubic stiffness k3.")
-      .number("displacement", 1, "m", Range::any(), "Displacement at the start.")
-      .number("velocity", 0, "m/s", Range::any(), "Velocity at the start.")
-      .optional_section("force", drive_schema("force on the mass", "N"))
-      .optional_section("support", drive_schema("displacement of the support", "m"));
+        .number("damping", 0, "N s/m", Range::not_negative(), "Damping c.")
+        .number("stiffness", 1, "N/m", Range::any(), "Stiffness k.")
+        .number("cubic stiffness", 0, "N/m^3", Range::any(), "Cubic stiffness k3.")
+        .number("displacement", 1, "m", Range::any(), "Displacement at the start.")
+        .number("velocity", 0, "m/s", Range::any(), "Velocity at the start.")
+        .optional_section("force", drive_schema("force on the mass", "N"))
+        .optional_section("support", drive_schema("displacement of the support", "m"));
     return schema;
   }
 
@@ -160,8 +160,9 @@ namespace myolines
     ledger_.count("residual evaluations");
     const auto   difference = [](const Vector &x) { return x.size() == 2 ? x.local_element(0) - x.local_element(1) : x.local_element(0); };
     const double stretch    = difference(point.u);
-    const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch + parameters_.cubic_stiffness * stretch * stretch * stretch;
-    const double load       = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
+    const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch
+                          + parameters_.cubic_stiffness * stretch * stretch * stretch;
+    const double load = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
 
     r.local_element(0) = parameters_.mass * point.a.local_element(0) + spring - load;
     if (parameters_.support)
@@ -182,7 +183,7 @@ namespace myolines
     ledger_.count("linearisations");
     const double stretch = point.u.local_element(0) - (parameters_.support ? point.u.local_element(1) : 0);
     dynamic_cast<OscillatorLinearisation &>(linearisation)
-      .fill(parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch, parameters_.damping, parameters_.mass);
+        .fill(parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch, parameters_.damping, parameters_.mass);
   }
 
   std::vector<double> OscillatorSystem::events(const double t0, const double t1) const

@@ -7,8 +7,7 @@ namespace myolines
 {
   namespace
   {
-    std::string
-    quoted_if_needed(const std::string &text)
+    std::string quoted_if_needed(const std::string &text)
     {
       if (text.find_first_of(",\"\n\r") == std::string::npos)
         return text;
@@ -20,16 +19,15 @@ namespace myolines
   } // namespace
 
   CsvFile::CsvFile(const std::filesystem::path &file, const std::vector<std::string> &columns)
-      : path_(file)
-      , n_columns_(columns.size())
+    : path_(file)
+    , n_columns_(columns.size())
   {
     if (writes_files())
       stream_.open(path_, std::ios::binary);
     write(columns);
   }
 
-  void
-  CsvFile::row(const std::vector<double> &values)
+  void CsvFile::row(const std::vector<double> &values)
   {
     std::vector<std::string> texts;
     texts.reserve(values.size());
@@ -38,17 +36,15 @@ namespace myolines
     row(texts);
   }
 
-  void
-  CsvFile::row(const std::vector<std::string> &texts)
+  void CsvFile::row(const std::vector<std::string> &texts)
   {
     if (texts.size() != n_columns_)
-      throw std::logic_error(path_.string() + " has " + std::to_string(n_columns_) + " columns, a row of " + std::to_string(texts.size())
-                             + " does not fit");
+      throw std::logic_error(path_.string() + " has " + std::to_string(n_columns_) + " columns, a row of " + std::to_string(texts.size()) +
+                             " does not fit");
     write(texts);
   }
 
-  void
-  CsvFile::write(const std::vector<std::string> &texts)
+  void CsvFile::write(const std::vector<std::string> &texts)
   {
     if (!writes_files())
       return;

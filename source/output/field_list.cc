@@ -9,8 +9,7 @@ namespace myolines
 {
   namespace
   {
-    std::string
-    trimmed(const std::string &text)
+    std::string trimmed(const std::string &text)
     {
       const std::size_t first = text.find_first_not_of(" \t");
       if (first == std::string::npos)
@@ -19,8 +18,7 @@ namespace myolines
     }
   } // namespace
 
-  std::vector<std::string>
-  read_field_names(const scene::Node &fields, const std::vector<std::string> &known)
+  std::vector<std::string> read_field_names(const scene::Node &fields, const std::vector<std::string> &known)
   {
     std::vector<std::string> names;
     std::istringstream       text(fields.text("what"));
@@ -42,8 +40,7 @@ namespace myolines
     return names;
   }
 
-  std::string
-  pvd_text(const std::vector<std::pair<double, std::string> > &files)
+  std::string pvd_text(const std::vector<std::pair<double, std::string>> &files)
   {
     std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
     for (const auto &[time, name] : files)

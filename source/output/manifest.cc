@@ -15,15 +15,13 @@ namespace myolines
   {
     using Json = nlohmann::ordered_json;
 
-    std::string
-    trilinos_version()
+    std::string trilinos_version()
     {
-      return std::to_string(DEAL_II_TRILINOS_VERSION_MAJOR) + "." + std::to_string(DEAL_II_TRILINOS_VERSION_MINOR) + "."
-             + std::to_string(DEAL_II_TRILINOS_VERSION_SUBMINOR);
+      return std::to_string(DEAL_II_TRILINOS_VERSION_MAJOR) + "." + std::to_string(DEAL_II_TRILINOS_VERSION_MINOR) + "." +
+             std::to_string(DEAL_II_TRILINOS_VERSION_SUBMINOR);
     }
 
-    std::string
-    mpi_version()
+    std::string mpi_version()
     {
       char text[MPI_MAX_LIBRARY_VERSION_STRING];
       int  length = 0;
@@ -33,8 +31,7 @@ namespace myolines
     }
 
     /// The kernel's name of the first processor; null where it gives none (not all architectures do).
-    Json
-    cpu_model()
+    Json cpu_model()
     {
       std::ifstream cpus("/proc/cpuinfo");
       for (std::string line; std::getline(cpus, line);)
@@ -43,8 +40,7 @@ namespace myolines
       return nullptr;
     }
 
-    Json
-    host_name()
+    Json host_name()
     {
       std::ifstream file("/proc/sys/kernel/hostname");
       std::string   name;
@@ -54,9 +50,8 @@ namespace myolines
     }
   } // namespace
 
-  void
-  write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
-                 const std::string &exit_reason)
+  void write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
+                      const std::string &exit_reason)
   {
     const std::string git_hash = MYOLINES_GIT_HASH;
     Json              manifest;
@@ -68,10 +63,10 @@ namespace myolines
 #else
     manifest["build"] = "Release";
 #endif
-    manifest["compiler"]  = __VERSION__;
-    manifest["libraries"] = { { "deal.II", DEAL_II_PACKAGE_VERSION }, { "Trilinos", trilinos_version() }, { "MPI", mpi_version() } };
-    manifest["ranks"]     = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-    manifest["host"] = { { "name", host_name() }, { "CPU", cpu_model() }, { "hardware threads", std::thread::hardware_concurrency() } };
+    manifest["compiler"]     = __VERSION__;
+    manifest["libraries"]    = {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"Trilinos", trilinos_version()}, {"MPI", mpi_version()}};
+    manifest["ranks"]        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    manifest["host"]         = {{"name", host_name()}, {"CPU", cpu_model()}, {"hardware threads", std::thread::hardware_concurrency()}};
     manifest["command line"] = command_line;
     manifest["started"]      = started;
     manifest["finished"]     = iso8601_now();
@@ -79,8 +74,7 @@ namespace myolines
     replace_file(folder / "manifest.json", manifest.dump(2) + "\n");
   }
 
-  void
-  write_ledger(const std::filesystem::path &folder, const WorkLedger &ledger)
+  void write_ledger(const std::filesystem::path &folder, const WorkLedger &ledger)
   {
     Json json;
     json["counts"]  = Json(ledger.counts());

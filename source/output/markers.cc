@@ -11,8 +11,7 @@ namespace myolines
   {
     const std::string expected = "\"name x y z\" with coordinates in metres, e.g. \"middle 0.015 0.005 0.005\"";
 
-    void
-    add_marker(const std::string &text, const scene::Node &series, const std::string &parameter, std::vector<Marker> &markers)
+    void add_marker(const std::string &text, const scene::Node &series, const std::string &parameter, std::vector<Marker> &markers)
     {
       std::istringstream words(text);
       Marker             marker;
@@ -27,8 +26,7 @@ namespace myolines
       markers.push_back(marker);
     }
 
-    std::vector<Marker>
-    parse(std::istream &input, const char separator, const scene::Node &series, const std::string &parameter)
+    std::vector<Marker> parse(std::istream &input, const char separator, const scene::Node &series, const std::string &parameter)
     {
       std::vector<Marker> markers;
       for (std::string piece; std::getline(input, piece, separator);)
@@ -39,8 +37,7 @@ namespace myolines
     }
   } // namespace
 
-  void
-  add_marker_parameters(scene::Schema &series)
+  void add_marker_parameters(scene::Schema &series)
   {
     series
         .optional_text("markers",
@@ -48,8 +45,7 @@ namespace myolines
         .optional_file("markers file", "The same from a file, one marker \"name x y z\" per line.");
   }
 
-  std::vector<Marker>
-  read_markers(const scene::Node &series)
+  std::vector<Marker> read_markers(const scene::Node &series)
   {
     if (series.has("markers") && series.has("markers file"))
       series.refuse("markers", "markers are given here and in \"markers file\"", "one of the two");
@@ -68,9 +64,5 @@ namespace myolines
     return {};
   }
 
-  std::string
-  markers_origin(const scene::Node &series)
-  {
-    return series.where(series.has("markers file") ? "markers file" : "markers");
-  }
+  std::string markers_origin(const scene::Node &series) { return series.where(series.has("markers file") ? "markers file" : "markers"); }
 } // namespace myolines

@@ -10,30 +10,23 @@ namespace myolines
     {
     public:
       Fields(const scene::Node &fields, const Muscle3dSystem &system, std::filesystem::path folder, WorkLedger &ledger)
-          : system_(system)
-          , every_(fields.integer("every"))
-          , names_(read_field_names(fields, field_names()))
-          , folder_(std::move(folder))
-          , ledger_(ledger)
-      {
-      }
+        : system_(system)
+        , every_(fields.integer("every"))
+        , names_(read_field_names(fields, field_names()))
+        , folder_(std::move(folder))
+        , ledger_(ledger)
+      {}
 
-      void
-      begin(const State &state) override
-      {
-        write(state);
-      }
+      void begin(const State &state) override { write(state); }
 
-      void
-      accepted(const State &state, const StepRecord &record) override
+      void accepted(const State &state, const StepRecord &record) override
       {
         if (record.number % every_ == 0)
           write(state);
       }
 
     private:
-      void
-      write(const State &state)
+      void write(const State &state)
       {
         const WorkLedger::Timer timer(ledger_, "output fields");
         ledger_.count("field outputs");
@@ -43,17 +36,16 @@ namespace myolines
         replace_file(folder_ / "fields.pvd", pvd_text(written_));
       }
 
-      const Muscle3dSystem                        &system_;
-      std::size_t                                  every_;
-      std::vector<std::string>                     names_;
-      std::filesystem::path                        folder_;
-      WorkLedger                                  &ledger_;
-      std::vector<std::pair<double, std::string> > written_;
+      const Muscle3dSystem                       &system_;
+      std::size_t                                 every_;
+      std::vector<std::string>                    names_;
+      std::filesystem::path                       folder_;
+      WorkLedger                                 &ledger_;
+      std::vector<std::pair<double, std::string>> written_;
     };
   } // namespace
 
-  scene::Schema
-  fields_schema()
+  scene::Schema fields_schema()
   {
     scene::Schema fields("Fields for ParaView: fields-NNNN.vtu and fields.pvd.");
     fields.integer("every", 1, scene::Range::closed(1, 1e9), "At the start and after every so many accepted steps.")
@@ -61,8 +53,8 @@ namespace myolines
     return fields;
   }
 
-  std::unique_ptr<Observer>
-  make_fields(const scene::Node &fields, const Muscle3dSystem &system, const std::filesystem::path &folder, WorkLedger &ledger)
+  std::unique_ptr<Observer> make_fields(const scene::Node &fields, const Muscle3dSystem &system, const std::filesystem::path &folder,
+                                        WorkLedger &ledger)
   {
     return std::make_unique<Fields>(fields, system, folder, ledger);
   }

@@ -15,14 +15,12 @@ namespace myolines
     using scene::Schema;
 
     /// Numbered as BoundaryCondition::face.
-    const std::vector<std::string> faces{ "x-", "x+", "y-", "y+", "z-", "z+" };
     const std::string              moving_face = "moving face";
 
-    Schema
-    series_schema()
+    Schema series_schema()
     {
-      std::vector<std::string> force_faces{ moving_face };
-      force_faces.insert(force_faces.end(), faces.begin(), faces.end());
+      std::vector<std::string> force_faces{moving_face};
+      force_faces.insert(force_faces.end(), face_names().begin(), face_names().end());
 
       Schema series("Time series in CSV files; what no file asks for is not measured.");
       series.integer("every", 1, Range::closed(1, 1e9), "A row at the start and after every so many accepted steps.")
@@ -38,38 +36,33 @@ namespace myolines
           .boolean("gearing info", true, "gearing_info-3d.csv: velocities behind the gearing; dynamic systems only.")
           .boolean("gearing", false, "gearing.csv: G of (7.2.13) at every row; dynamic systems only.")
           .boolean("activation and length", true, "activation_muscle_length-3d.csv.")
-          .choice("slab", "quadrature points", { "quadrature points", "whole cells" },
+          .choice("slab", "quadrature points", {"quadrature points", "whole cells"},
                   "Points of the slab averages: 3/8 L <= X <= 5/8 L by quadrature point (6.2.20), or by cell centre as Flexodeal does.");
       add_marker_parameters(series);
       return series;
     }
 
-    unsigned int
-    force_face(const Node &series, const Muscle3dParameters &parameters)
+    unsigned int force_face(const Node &series, const Muscle3dParameters &parameters)
     {
       const std::string name = series.text("force face");
       if (name != moving_face)
-        return static_cast<unsigned int>(std::find(faces.begin(), faces.end(), name) - faces.begin());
+        return static_cast<unsigned int>(std::find(face_names().begin(), face_names().end(), name) - face_names().begin());
       for (const BoundaryCondition &condition : parameters.boundary)
         if (condition.type == BoundaryCondition::Type::strain)
           return condition.face;
       return 1;
     }
 
-    bool
-    prescribes_motion(const BoundaryCondition &condition)
-    {
-      return condition.type != BoundaryCondition::Type::traction;
-    }
+    bool prescribes_motion(const BoundaryCondition &condition) { return condition.type != BoundaryCondition::Type::traction; }
 
-    std::vector<std::unique_ptr<SeriesFile> >
-    make_files(const Node &series, const Muscle3dSystem &system, const std::filesystem::path &folder)
+    std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system,
+                                                        const std::filesystem::path &folder)
     {
       const Muscle3dParameters &p = system.parameters();
       if (series.boolean("gearing") && !p.dynamic)
         series.refuse("gearing", "a quasi-static system has no velocities", "false, or \"dynamic\" as system/inertia");
 
-      std::vector<std::unique_ptr<SeriesFile> > files;
+      std::vector<std::unique_ptr<SeriesFile>> files;
       if (series.boolean("forces"))
         files.push_back(force_file(folder, force_face(series, p)));
       if (series.boolean("all faces"))
@@ -97,29 +90,19 @@ namespace myolines
     {
     public:
       Series(const Node &series, const Muscle3dSystem &system, const std::filesystem::path &folder, WorkLedger &ledger)
-          : system_(system)
-          , every_(series.integer("every"))
-          , slab_(series.text("slab") == "whole cells" ? SlabRule::whole_cells : SlabRule::quadrature_points)
-          , ends_(system, force_face(series, system.parameters()))
-          , files_(make_files(series, system, folder))
-          , ledger_(ledger)
-      {
-      }
+        : system_(system)
+        , every_(series.integer("every"))
+        , slab_(series.text("slab") == "whole cells" ? SlabRule::whole_cells : SlabRule::quadrature_points)
+        , ends_(system, force_face(series, system.parameters()))
+        , files_(make_files(series, system, folder))
+        , ledger_(ledger)
+      {}
 
-      void
-      begin(const State &state) override
-      {
-        observe(state, Side::right, 0);
-      }
-      void
-      accepted(const State &state, const StepRecord &record) override
-      {
-        observe(state, Side::left, record.number);
-      }
+      void begin(const State &state) override { observe(state, Side::right, 0); }
+      void accepted(const State &state, const StepRecord &record) override { observe(state, Side::left, record.number); }
 
     private:
-      void
-      observe(const State &state, const Side side, const std::size_t step)
+      void observe(const State &state, const Side side, const std::size_t step)
       {
         const WorkLedger::Timer timer(ledger_, "output series");
         const Muscle3dSample    sample(system_, state, side, slab_, ends_);
@@ -130,25 +113,24 @@ namespace myolines
             file->row(sample, step);
       }
 
-      const Muscle3dSystem                     &system_;
-      std::size_t                               every_;
-      SlabRule                                  slab_;
-      EndPoints                                 ends_;
-      std::vector<std::unique_ptr<SeriesFile> > files_;
-      WorkLedger                               &ledger_;
+      const Muscle3dSystem                    &system_;
+      std::size_t                              every_;
+      SlabRule                                 slab_;
+      EndPoints                                ends_;
+      std::vector<std::unique_ptr<SeriesFile>> files_;
+      WorkLedger                              &ledger_;
     };
   } // namespace
 
-  Schema
-  muscle3d_output_schema()
+  Schema muscle3d_output_schema()
   {
     return Schema("What to write.").section("series", series_schema()).optional_section("fields", fields_schema());
   }
 
-  std::vector<std::unique_ptr<Observer> >
-  make_outputs(const Node &output, const Muscle3dSystem &system, const std::filesystem::path &folder, WorkLedger &ledger)
+  std::vector<std::unique_ptr<Observer>> make_outputs(const Node &output, const Muscle3dSystem &system, const std::filesystem::path &folder,
+                                                      WorkLedger &ledger)
   {
-    std::vector<std::unique_ptr<Observer> > observers;
+    std::vector<std::unique_ptr<Observer>> observers;
     observers.push_back(std::make_unique<Series>(output.section("series"), system, folder, ledger));
     if (output.has("fields"))
       observers.push_back(make_fields(output.section("fields"), system, folder, ledger));

@@ -5,8 +5,7 @@ namespace myolines
 {
   namespace
   {
-    double
-    external_power(const Muscle3dSample &sample)
+    double external_power(const Muscle3dSample &sample)
     {
       double power = sample.body().body_force_power + sample.body().traction_power;
       for (const Reaction &reaction : sample.reactions())
@@ -18,16 +17,14 @@ namespace myolines
     {
     public:
       explicit EnergyBalance(const std::filesystem::path &file)
-          : csv_(file, { "Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]", "Active work [J]",
-                         "Dissipated [J]", "External work [J]", "Balance drift [J]" })
-      {
-      }
+        : csv_(file, {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]", "Active work [J]",
+                      "Dissipated [J]", "External work [J]", "Balance drift [J]"})
+      {}
 
-      void
-      advance(const Muscle3dSample &sample) override
+      void advance(const Muscle3dSample &sample) override
       {
         const BodyMeasures &body = sample.body();
-        const Powers        now{ sample.t(), body.active_power, body.dissipation, external_power(sample) };
+        const Powers        now{sample.t(), body.active_power, body.dissipation, external_power(sample)};
         if (before_)
           {
             const double half = (now.t - before_->t) / 2;
@@ -40,13 +37,12 @@ namespace myolines
         before_ = now;
       }
 
-      void
-      row(const Muscle3dSample &sample, std::size_t) override
+      void row(const Muscle3dSample &sample, std::size_t) override
       {
         const BodyMeasures &body = sample.body();
-        csv_.row(std::vector<double>{ sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive, active_work_,
-                                      dissipated_, external_work_,
-                                      energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_ });
+        csv_.row(std::vector<double>{sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive, active_work_,
+                                     dissipated_, external_work_,
+                                     energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_});
       }
 
     private:
@@ -58,8 +54,7 @@ namespace myolines
         double external;
       };
 
-      static double
-      energy(const BodyMeasures &body)
+      static double energy(const BodyMeasures &body)
       {
         return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive;
       }
@@ -73,37 +68,34 @@ namespace myolines
     };
   } // namespace
 
-  std::unique_ptr<SeriesFile>
-  reaction_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> reaction_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
   {
-    std::vector<std::string> columns{ "Time [s]" };
+    std::vector<std::string> columns{"Time [s]"};
     for (const BoundaryCondition &condition : parameters.boundary)
       if (condition.type != BoundaryCondition::Type::traction)
-        for (const char *axis : { " x [N]", " y [N]", " z [N]" })
+        for (const char *axis : {" x [N]", " y [N]", " z [N]"})
           columns.push_back(condition.name + axis);
     return make_series_file(folder / "reaction.csv", columns, [](const Muscle3dSample &sample) {
-      std::vector<double> row{ sample.t() };
+      std::vector<double> row{sample.t()};
       for (const Reaction &reaction : sample.reactions())
-        row.insert(row.end(), { reaction.force[0], reaction.force[1], reaction.force[2] });
+        row.insert(row.end(), {reaction.force[0], reaction.force[1], reaction.force[2]});
       return row;
     });
   }
 
-  std::unique_ptr<SeriesFile>
-  energy_balance_file(const std::filesystem::path &folder)
+  std::unique_ptr<SeriesFile> energy_balance_file(const std::filesystem::path &folder)
   {
     return std::make_unique<EnergyBalance>(folder / "energy_balance.csv");
   }
 
-  std::unique_ptr<SeriesFile>
-  gearing_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> gearing_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
   {
     const double fibre_speed = longest_fibre(parameters) * parameters.tissue.fibre.maximum_strain_rate;
-    return make_series_file(folder / "gearing.csv", { "Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing" },
+    return make_series_file(folder / "gearing.csv", {"Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing"},
                             [fibre_speed](const Muscle3dSample &sample) {
                               const double muscle = -sample.body().mean_velocity.norm();
                               const double fibre  = fibre_speed * sample.body().mean_strain_rate;
-                              return std::vector<double>{ sample.t(), muscle, fibre, muscle / fibre };
+                              return std::vector<double>{sample.t(), muscle, fibre, muscle / fibre};
                             });
   }
 } // namespace myolines

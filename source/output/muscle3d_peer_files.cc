@@ -8,23 +8,18 @@ namespace myolines
 {
   namespace
   {
-    using Force = Parts<dealii::Tensor<1, 3> >;
+    using Force = Parts<dealii::Tensor<1, 3>>;
 
     class FunctionFile : public SeriesFile
     {
     public:
       FunctionFile(const std::filesystem::path &file, const std::vector<std::string> &columns,
                    std::function<std::vector<double>(const Muscle3dSample &)> values)
-          : csv_(file, columns)
-          , values_(std::move(values))
-      {
-      }
+        : csv_(file, columns)
+        , values_(std::move(values))
+      {}
 
-      void
-      row(const Muscle3dSample &sample, std::size_t) override
-      {
-        csv_.row(values_(sample));
-      }
+      void row(const Muscle3dSample &sample, std::size_t) override { csv_.row(values_(sample)); }
 
     private:
       CsvFile                                                    csv_;
@@ -33,38 +28,36 @@ namespace myolines
 
     /// The parts in the order of the peer's columns.
     template <typename T>
-    std::vector<T>
-    in_peer_order(const Parts<T> &parts)
+    std::vector<T> in_peer_order(const Parts<T> &parts)
     {
-      return { parts.total(), parts.volumetric, parts.isochoric(), parts.muscle_active, parts.muscle_passive, parts.muscle_base };
+      return {parts.total(), parts.volumetric, parts.isochoric(), parts.muscle_active, parts.muscle_passive, parts.muscle_base};
     }
 
-    const std::vector<std::string> part_names{ "Total", "Volumetric", "Isochoric", "Muscle active", "Muscle passive", "Muscle base" };
+    const std::vector<std::string> part_names{"Total", "Volumetric", "Isochoric", "Muscle active", "Muscle passive", "Muscle base"};
 
     /// force_data-3d-NNN.csv: one file per row of the other series, one line per face.
     class AllFacesFiles : public SeriesFile
     {
     public:
       explicit AllFacesFiles(std::filesystem::path folder)
-          : folder_(std::move(folder))
-          , columns_{ "Boundary ID" }
+        : folder_(std::move(folder))
+        , columns_{"Boundary ID"}
       {
         for (const std::string &part : part_names)
-          for (const char *axis : { " x [N]", " y [N]", " z [N]" })
+          for (const char *axis : {" x [N]", " y [N]", " z [N]"})
             columns_.push_back(part + axis);
       }
 
-      void
-      row(const Muscle3dSample &sample, const std::size_t step) override
+      void row(const Muscle3dSample &sample, const std::size_t step) override
       {
         std::string number = std::to_string(step);
         number.insert(0, number.size() < 3 ? 3 - number.size() : 0, '0');
         CsvFile csv(folder_ / ("force_data-3d-" + number + ".csv"), columns_);
         for (unsigned int face = 0; face < 6; ++face)
           {
-            std::vector<double> values{ static_cast<double>(face) };
+            std::vector<double> values{static_cast<double>(face)};
             for (const dealii::Tensor<1, 3> &force : in_peer_order(sample.face_force(face)))
-              values.insert(values.end(), { force[0], force[1], force[2] });
+              values.insert(values.end(), {force[0], force[1], force[2]});
             csv.row(values);
           }
       }
@@ -75,22 +68,20 @@ namespace myolines
     };
   } // namespace
 
-  std::unique_ptr<SeriesFile>
-  make_series_file(const std::filesystem::path &file, const std::vector<std::string> &columns,
-                   std::function<std::vector<double>(const Muscle3dSample &)> values)
+  std::unique_ptr<SeriesFile> make_series_file(const std::filesystem::path &file, const std::vector<std::string> &columns,
+                                               std::function<std::vector<double>(const Muscle3dSample &)> values)
   {
     return std::make_unique<FunctionFile>(file, columns, std::move(values));
   }
 
-  std::unique_ptr<SeriesFile>
-  force_file(const std::filesystem::path &folder, const unsigned int face)
+  std::unique_ptr<SeriesFile> force_file(const std::filesystem::path &folder, const unsigned int face)
   {
-    std::vector<std::string> columns{ "Time [s]" };
+    std::vector<std::string> columns{"Time [s]"};
     for (const std::string &part : part_names)
       columns.push_back(part + " [N]");
     columns.push_back("Volume [m^3]");
     return make_series_file(folder / "force_data-3d.csv", columns, [face](const Muscle3dSample &sample) {
-      std::vector<double> row{ sample.t() };
+      std::vector<double> row{sample.t()};
       for (const dealii::Tensor<1, 3> &force : in_peer_order(sample.face_force(face)))
         row.push_back(force[0]);
       row.push_back(sample.body().volume);
@@ -98,21 +89,16 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile>
-  all_faces_files(const std::filesystem::path &folder)
-  {
-    return std::make_unique<AllFacesFiles>(folder);
-  }
+  std::unique_ptr<SeriesFile> all_faces_files(const std::filesystem::path &folder) { return std::make_unique<AllFacesFiles>(folder); }
 
-  std::unique_ptr<SeriesFile>
-  energy_file(const std::filesystem::path &folder)
+  std::unique_ptr<SeriesFile> energy_file(const std::filesystem::path &folder)
   {
-    const std::vector<std::string> columns{ "Time [s]",          "Kinetic [J/m^3]",       "Internal [J/m^3]",       "Volumetric [J/m^3]",
-                                            "Isochoric [J/m^3]", "Muscle active [J/m^3]", "Muscle passive [J/m^3]", "Muscle base [J/m^3]",
-                                            "Volume [m^3]" };
+    const std::vector<std::string> columns{"Time [s]",          "Kinetic [J/m^3]",       "Internal [J/m^3]",       "Volumetric [J/m^3]",
+                                           "Isochoric [J/m^3]", "Muscle active [J/m^3]", "Muscle passive [J/m^3]", "Muscle base [J/m^3]",
+                                           "Volume [m^3]"};
     return make_series_file(folder / "energy_data-3d.csv", columns, [](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
-      std::vector<double> row{ sample.t(), body.kinetic / body.volume };
+      std::vector<double> row{sample.t(), body.kinetic / body.volume};
       for (const double density : in_peer_order(body.work_density))
         row.push_back(density);
       row.push_back(body.volume);
@@ -120,67 +106,62 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile>
-  stretch_file(const std::filesystem::path &folder)
+  std::unique_ptr<SeriesFile> stretch_file(const std::filesystem::path &folder)
   {
     return make_series_file(folder / "mean_stretch_pennation_data-3d.csv",
-                            { "Time [s]", "Mean stretch", "Mean pennation [deg]", "Volume slab [m^3]" }, [](const Muscle3dSample &sample) {
+                            {"Time [s]", "Mean stretch", "Mean pennation [deg]", "Volume slab [m^3]"}, [](const Muscle3dSample &sample) {
                               const BodyMeasures &body = sample.body();
-                              return std::vector<double>{ sample.t(), body.mean_stretch, body.mean_pennation, body.slab_volume };
+                              return std::vector<double>{sample.t(), body.mean_stretch, body.mean_pennation, body.slab_volume};
                             });
   }
 
-  std::unique_ptr<SeriesFile>
-  gearing_info_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> gearing_info_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
   {
-    const std::vector<std::string> columns{ "Time [s]",
-                                            "Prescribed velocity x [m/s]",
-                                            "Mean muscle velocity x [m/s]",
-                                            "Mean muscle velocity y [m/s]",
-                                            "Mean muscle velocity z [m/s]",
-                                            "Mean muscle velocity norm [m/s]",
-                                            "Mean fibre strain rate (non-dim)",
-                                            "Initial fibre length [m]",
-                                            "Maximum strain rate [1/s]",
-                                            "Mean fibre velocity [m/s]",
-                                            "Volume slab [m^3]" };
+    const std::vector<std::string> columns{"Time [s]",
+                                           "Prescribed velocity x [m/s]",
+                                           "Mean muscle velocity x [m/s]",
+                                           "Mean muscle velocity y [m/s]",
+                                           "Mean muscle velocity z [m/s]",
+                                           "Mean muscle velocity norm [m/s]",
+                                           "Mean fibre strain rate (non-dim)",
+                                           "Initial fibre length [m]",
+                                           "Maximum strain rate [1/s]",
+                                           "Mean fibre velocity [m/s]",
+                                           "Volume slab [m^3]"};
     const double                   fibre = longest_fibre(parameters);
     const double                   e0    = parameters.tissue.fibre.maximum_strain_rate;
     return make_series_file(folder / "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
       const auto         &v    = body.mean_velocity;
-      return std::vector<double>{ sample.t(),      sample.force_face_speed(), v[0],  v[1], v[2],
-                                  v.norm(),        body.mean_strain_rate,     fibre, e0,   fibre * e0 * body.mean_strain_rate,
-                                  body.slab_volume };
+      return std::vector<double>{sample.t(),      sample.force_face_speed(), v[0],  v[1], v[2],
+                                 v.norm(),        body.mean_strain_rate,     fibre, e0,   fibre * e0 * body.mean_strain_rate,
+                                 body.slab_volume};
     });
   }
 
-  std::unique_ptr<SeriesFile>
-  activation_file(const std::filesystem::path &folder)
+  std::unique_ptr<SeriesFile> activation_file(const std::filesystem::path &folder)
   {
-    return make_series_file(folder / "activation_muscle_length-3d.csv", { "Time [s]", "Activation (%)", "Muscle length [m]" },
+    return make_series_file(folder / "activation_muscle_length-3d.csv", {"Time [s]", "Activation (%)", "Muscle length [m]"},
                             [](const Muscle3dSample &sample) {
-                              return std::vector<double>{ sample.t(), 100 * sample.activation(), sample.muscle_length() };
+                              return std::vector<double>{sample.t(), 100 * sample.activation(), sample.muscle_length()};
                             });
   }
 
-  std::unique_ptr<SeriesFile>
-  displacements_file(const std::filesystem::path &folder, std::shared_ptr<const MarkerProbe> probe)
+  std::unique_ptr<SeriesFile> displacements_file(const std::filesystem::path &folder, std::shared_ptr<const MarkerProbe> probe)
   {
-    std::vector<std::string> columns{ "Time [s]" };
+    std::vector<std::string> columns{"Time [s]"};
     for (const Marker &marker : probe->markers())
-      for (const char *axis : { "_x [m]", "_y [m]", "_z [m]" })
+      for (const char *axis : {"_x [m]", "_y [m]", "_z [m]"})
         columns.push_back(marker.name + axis);
     return make_series_file(folder / "displacements-3d.csv", columns, [probe](const Muscle3dSample &sample) {
-      std::vector<double> row{ sample.t() };
+      std::vector<double> row{sample.t()};
       for (const dealii::Tensor<1, 3> &u : probe->displacements(sample.state()))
-        row.insert(row.end(), { u[0], u[1], u[2] });
+        row.insert(row.end(), {u[0], u[1], u[2]});
       return row;
     });
   }
 
-  double
-  longest_fibre(const Muscle3dParameters &parameters)
+  double longest_fibre(const Muscle3dParameters &parameters)
   {
     double length = std::numeric_limits<double>::infinity();
     for (unsigned int c = 0; c < 3; ++c)

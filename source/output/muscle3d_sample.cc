@@ -5,76 +5,63 @@ namespace myolines
   namespace
   {
     /// Centre of face 0..5 = x-, x+, y-, y+, z-, z+ of the block.
-    dealii::Point<3>
-    face_centre(const BlockGeometry &block, const unsigned int face)
+    dealii::Point<3> face_centre(const BlockGeometry &block, const unsigned int face)
     {
       dealii::Point<3> centre(block.size[0] / 2, block.size[1] / 2, block.size[2] / 2);
       centre[face / 2] = face % 2 == 0 ? 0 : block.size[face / 2];
       return centre;
     }
 
-    std::vector<Marker>
-    end_markers(const BlockGeometry &block, const unsigned int force_face)
+    std::vector<Marker> end_markers(const BlockGeometry &block, const unsigned int force_face)
     {
-      return { { "x-", face_centre(block, 0) }, { "x+", face_centre(block, 1) }, { "force face", face_centre(block, force_face) } };
+      return {{"x-", face_centre(block, 0)}, {"x+", face_centre(block, 1)}, {"force face", face_centre(block, force_face)}};
     }
   } // namespace
 
   EndPoints::EndPoints(const Muscle3dSystem &system, const unsigned int force_face)
-      : probe(system, end_markers(system.parameters().geometry, force_face), "system/geometry")
-      , reference_length(system.parameters().geometry.size[0])
-  {
-  }
+    : probe(system, end_markers(system.parameters().geometry, force_face), "system/geometry")
+    , reference_length(system.parameters().geometry.size[0])
+  {}
 
   Muscle3dSample::Muscle3dSample(const Muscle3dSystem &system, const State &state, const Side side, const SlabRule slab,
                                  const EndPoints &ends)
-      : system_(system)
-      , state_(state)
-      , side_(side)
-      , slab_(slab)
-      , ends_(ends)
-  {
-  }
+    : system_(system)
+    , state_(state)
+    , side_(side)
+    , slab_(slab)
+    , ends_(ends)
+  {}
 
-  const BodyMeasures &
-  Muscle3dSample::body() const
+  const BodyMeasures &Muscle3dSample::body() const
   {
     if (!body_)
       body_ = measure_body(system_, state_, slab_);
     return *body_;
   }
 
-  const std::vector<Reaction> &
-  Muscle3dSample::reactions() const
+  const std::vector<Reaction> &Muscle3dSample::reactions() const
   {
     if (!reactions_)
       reactions_ = measure_reactions(system_, state_);
     return *reactions_;
   }
 
-  const Parts<dealii::Tensor<1, 3> > &
-  Muscle3dSample::face_force(const unsigned int face) const
+  const Parts<dealii::Tensor<1, 3>> &Muscle3dSample::face_force(const unsigned int face) const
   {
     if (!forces_.at(face))
       forces_[face] = interior_point_force(system_, state_, face);
     return *forces_[face];
   }
 
-  double
-  Muscle3dSample::activation() const
-  {
-    return system_.activation(state_.t, side_);
-  }
+  double Muscle3dSample::activation() const { return system_.activation(state_.t, side_); }
 
-  double
-  Muscle3dSample::muscle_length() const
+  double Muscle3dSample::muscle_length() const
   {
     const auto moved = ends_.probe.displacements(state_);
     return ends_.reference_length + moved[1][0] - moved[0][0];
   }
 
-  double
-  Muscle3dSample::force_face_speed() const
+  double Muscle3dSample::force_face_speed() const
   {
     // The probe interpolates state.u; a velocity is interpolated the same way.
     State rates;

@@ -5,12 +5,11 @@ namespace myolines
 {
   namespace
   {
-    std::vector<std::string>
-    columns(const bool with_support)
+    std::vector<std::string> columns(const bool with_support)
     {
-      std::vector<std::string> names{ "Time [s]", "Displacement [m]", "Velocity [m/s]", "Acceleration [m/s^2]" };
+      std::vector<std::string> names{"Time [s]", "Displacement [m]", "Velocity [m/s]", "Acceleration [m/s^2]"};
       if (with_support)
-        names.insert(names.end(), { "Support displacement [m]", "Support force [N]" });
+        names.insert(names.end(), {"Support displacement [m]", "Support force [N]"});
       return names;
     }
 
@@ -19,36 +18,29 @@ namespace myolines
     {
     public:
       Trajectory(const OscillatorSystem &system, const unsigned int every, const std::filesystem::path &folder)
-          : system_(system)
-          , every_(every)
-          , with_support_(system.parameters().support != nullptr)
-          , csv_(folder / "trajectory.csv", columns(with_support_))
-      {
-      }
+        : system_(system)
+        , every_(every)
+        , with_support_(system.parameters().support != nullptr)
+        , csv_(folder / "trajectory.csv", columns(with_support_))
+      {}
 
-      void
-      begin(const State &state) override
-      {
-        write(state, Side::right);
-      }
+      void begin(const State &state) override { write(state, Side::right); }
 
-      void
-      accepted(const State &state, const StepRecord &record) override
+      void accepted(const State &state, const StepRecord &record) override
       {
         if (record.number % every_ == 0)
           write(state, Side::left);
       }
 
     private:
-      void
-      write(const State &state, const Side side)
+      void write(const State &state, const Side side)
       {
-        std::vector<double> row{ state.t, state.u[0], state.v[0], state.a[0] };
+        std::vector<double> row{state.t, state.u[0], state.v[0], state.a[0]};
         if (with_support_)
           {
             Vector r(state.u);
-            system_.residual({ state.t, side, state.u, state.v, state.a }, r);
-            row.insert(row.end(), { state.u[1], r[1] });
+            system_.residual({state.t, side, state.u, state.v, state.a}, r);
+            row.insert(row.end(), {state.u[1], r[1]});
           }
         csv_.row(row);
       }
@@ -60,18 +52,17 @@ namespace myolines
     };
   } // namespace
 
-  scene::Schema
-  oscillator_output_schema()
+  scene::Schema oscillator_output_schema()
   {
     scene::Schema series("Time series: trajectory.csv.");
     series.integer("every", 1, scene::Range::closed(1, 1e9), "A row at the start and after every so many accepted steps.");
     return scene::Schema("What to write.").section("series", series);
   }
 
-  std::vector<std::unique_ptr<Observer> >
-  make_outputs(const scene::Node &output, const OscillatorSystem &system, const std::filesystem::path &folder, WorkLedger &)
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system,
+                                                      const std::filesystem::path &folder, WorkLedger &)
   {
-    std::vector<std::unique_ptr<Observer> > observers;
+    std::vector<std::unique_ptr<Observer>> observers;
     observers.push_back(std::make_unique<Trajectory>(system, output.section("series").integer("every"), folder));
     return observers;
   }

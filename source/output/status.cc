@@ -11,8 +11,7 @@
 
 namespace myolines
 {
-  std::string
-  duration_text(const double seconds)
+  std::string duration_text(const double seconds)
   {
     const long long whole = std::llround(seconds);
     char            text[64];
@@ -25,8 +24,7 @@ namespace myolines
     return text;
   }
 
-  std::string
-  outcome_text(const StepReport::Outcome outcome)
+  std::string outcome_text(const StepReport::Outcome outcome)
   {
     switch (outcome)
       {
@@ -42,8 +40,7 @@ namespace myolines
     throw std::logic_error("unknown outcome of a step");
   }
 
-  std::string
-  step_text(const StepRecord &record)
+  std::string step_text(const StepRecord &record)
   {
     std::ostringstream text;
     text << "step " << record.number << "  t " << record.t << " s  dt " << record.dt << " s  Newton " << record.report.newton_iterations
@@ -54,10 +51,10 @@ namespace myolines
   }
 
   Status::Status(const std::filesystem::path &log, const double start, const double end, std::ostream *terminal)
-      : start_(start)
-      , end_(end)
-      , terminal_(writes_files() ? terminal : nullptr)
-      , begin_(std::chrono::steady_clock::now())
+    : start_(start)
+    , end_(end)
+    , terminal_(writes_files() ? terminal : nullptr)
+    , begin_(std::chrono::steady_clock::now())
   {
     if (!writes_files())
       return;
@@ -66,51 +63,41 @@ namespace myolines
       throw std::runtime_error("cannot write " + log.string());
   }
 
-  void
-  Status::begin(const State &state)
+  void Status::begin(const State &state)
   {
     begin_ = std::chrono::steady_clock::now();
     log(iso8601_now() + "  from t " + exact_text(state.t) + " s to " + exact_text(end_) + " s");
   }
 
-  void
-  Status::accepted(const State &, const StepRecord &record)
+  void Status::accepted(const State &, const StepRecord &record)
   {
     log(step_text(record));
     if (terminal_)
       show(record);
   }
 
-  void
-  Status::rejected(const StepRecord &record)
+  void Status::rejected(const StepRecord &record)
   {
-    log(step_text(record) + "  rejected: " + outcome_text(record.report.outcome)
-        + (record.report.reason.empty() ? "" : ", " + record.report.reason));
+    log(step_text(record) + "  rejected: " + outcome_text(record.report.outcome) +
+        (record.report.reason.empty() ? "" : ", " + record.report.reason));
   }
 
-  void
-  Status::end(const std::string &reason)
+  void Status::end(const std::string &reason)
   {
     log(iso8601_now() + (reason.empty() ? "  done" : "  stopped: " + reason) + " after " + duration_text(elapsed()));
     if (terminal_ && shown_width_ > 0)
       *terminal_ << std::endl;
   }
 
-  void
-  Status::log(const std::string &line)
+  void Status::log(const std::string &line)
   {
     if (log_.is_open())
       log_ << line << std::endl;
   }
 
-  double
-  Status::elapsed() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
+  double Status::elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
 
-  void
-  Status::show(const StepRecord &record)
+  void Status::show(const StepRecord &record)
   {
     const double       fraction = (record.t - start_) / (end_ - start_);
     std::ostringstream line;
@@ -125,8 +112,7 @@ namespace myolines
     *terminal_ << '\r' << text << std::flush;
   }
 
-  std::unique_ptr<Observer>
-  make_status(const std::filesystem::path &folder, const double start, const double end, const bool quiet)
+  std::unique_ptr<Observer> make_status(const std::filesystem::path &folder, const double start, const double end, const bool quiet)
   {
     const bool show = !quiet && isatty(STDOUT_FILENO);
     return std::make_unique<Status>(folder / "run.log", start, end, show ? &std::cout : nullptr);

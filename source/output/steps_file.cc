@@ -11,40 +11,29 @@ namespace myolines
     {
     public:
       explicit StepsFile(const std::filesystem::path &file)
-          : csv_(file, { "Step", "Time [s]", "dt [s]", "Outcome", "Newton iterations", "Linear iterations", "Residual evaluations",
-                         "Initial residual", "Final residual", "Error estimate", "Reason" })
-      {
-      }
+        : csv_(file, {"Step", "Time [s]", "dt [s]", "Outcome", "Newton iterations", "Linear iterations", "Residual evaluations",
+                      "Initial residual", "Final residual", "Error estimate", "Reason"})
+      {}
 
-      void
-      accepted(const State &, const StepRecord &record) override
-      {
-        write(record);
-      }
-      void
-      rejected(const StepRecord &record) override
-      {
-        write(record);
-      }
+      void accepted(const State &, const StepRecord &record) override { write(record); }
+      void rejected(const StepRecord &record) override { write(record); }
 
     private:
-      void
-      write(const StepRecord &record)
+      void write(const StepRecord &record)
       {
         const StepReport &report = record.report;
-        csv_.row(std::vector<std::string>{ std::to_string(record.number), exact_text(record.t), exact_text(record.dt),
-                                           outcome_text(report.outcome), std::to_string(report.newton_iterations),
-                                           std::to_string(report.linear_iterations), std::to_string(report.residual_evaluations),
-                                           exact_text(report.initial_residual), exact_text(report.final_residual),
-                                           report.error_estimate ? exact_text(*report.error_estimate) : "", report.reason });
+        csv_.row(std::vector<std::string>{std::to_string(record.number), exact_text(record.t), exact_text(record.dt),
+                                          outcome_text(report.outcome), std::to_string(report.newton_iterations),
+                                          std::to_string(report.linear_iterations), std::to_string(report.residual_evaluations),
+                                          exact_text(report.initial_residual), exact_text(report.final_residual),
+                                          report.error_estimate ? exact_text(*report.error_estimate) : "", report.reason});
       }
 
       CsvFile csv_;
     };
   } // namespace
 
-  std::unique_ptr<Observer>
-  make_steps_file(const std::filesystem::path &folder)
+  std::unique_ptr<Observer> make_steps_file(const std::filesystem::path &folder)
   {
     return std::make_unique<StepsFile>(folder / "steps.csv");
   }

@@ -10,14 +10,9 @@
 
 namespace myolines
 {
-  bool
-  writes_files()
-  {
-    return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  }
+  bool writes_files() { return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0; }
 
-  void
-  replace_file(const std::filesystem::path &file, const std::string &text)
+  void replace_file(const std::filesystem::path &file, const std::string &text)
   {
     if (!writes_files())
       return;
@@ -32,16 +27,14 @@ namespace myolines
     std::filesystem::rename(fresh, file);
   }
 
-  std::string
-  exact_text(const double value)
+  std::string exact_text(const double value)
   {
     std::array<char, 32> text{};
     const auto           end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     return std::string(text.data(), end);
   }
 
-  std::string
-  iso8601_now()
+  std::string iso8601_now()
   {
     const std::time_t now = std::time(nullptr);
     std::tm           utc{};

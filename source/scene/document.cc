@@ -93,7 +93,8 @@ namespace myolines::scene
           if (element.hasAttribute(name))
             length += name.size() + element.getAttribute(name).size() + 4;
         if (element.header().size() != length)
-          problem(path, "unknown attribute in " + element.header(), "no attributes but " + std::string(known.size() == 1 ? "name" : "name, type, value"));
+          problem(path, "unknown attribute in " + element.header(),
+                  "no attributes but " + std::string(known.size() == 1 ? "name" : "name, type, value"));
       }
 
       void check_content(const Teuchos::XMLObject &element, const std::string &path)
@@ -103,7 +104,7 @@ namespace myolines::scene
             return problem(path, "stray text \"" + text + "\"", "only elements <ParameterList>, <Parameter> and comments");
       }
 
-      const std::string &        file_;
+      const std::string         &file_;
       std::vector<InputProblem> &problems_;
     };
 
@@ -133,7 +134,8 @@ namespace myolines::scene
       }
     catch (const std::exception &error)
       {
-        problems.push_back({file, "malformed XML: " + last_line(error.what()), "an XML document <ParameterList name=\"scene\"> ... </ParameterList>", ""});
+        problems.push_back(
+            {file, "malformed XML: " + last_line(error.what()), "an XML document <ParameterList name=\"scene\"> ... </ParameterList>", ""});
         return {};
       }
     if (root.getTag() != list_tag || !root.hasAttribute("name") || root.getAttribute("name") != "scene")
@@ -149,7 +151,8 @@ namespace myolines::scene
     std::ifstream      stream(file);
     std::ostringstream text;
     if (std::filesystem::is_directory(file) || !stream || !(text << stream.rdbuf()))
-      problems.push_back({file.string(), std::filesystem::exists(file) ? "the file cannot be read" : "there is no such file", "a readable, non-empty file", ""});
+      problems.push_back({file.string(), std::filesystem::exists(file) ? "the file cannot be read" : "there is no such file",
+                          "a readable, non-empty file", ""});
     return text.str();
   }
 
@@ -157,7 +160,7 @@ namespace myolines::scene
   {
     std::vector<std::string> names = split_path(path);
     const std::string        last  = names.empty() ? "" : names.back();
-    RawList *                list  = &root;
+    RawList                 *list  = &root;
     for (std::size_t i = 0; i + 1 < names.size(); ++i)
       {
         RawList *next = find_named(list->lists, names[i]);
@@ -191,7 +194,7 @@ namespace myolines::scene
   const RawParameter *find_parameter(const RawList &root, const std::string &path)
   {
     const std::vector<std::string> names = split_path(path);
-    const RawList *                list  = &root;
+    const RawList                 *list  = &root;
     for (std::size_t i = 0; i + 1 < names.size() && list != nullptr; ++i)
       list = find_named(list->lists, names[i]);
     return list == nullptr || names.empty() ? nullptr : find_named(list->parameters, names.back());

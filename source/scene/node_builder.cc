@@ -25,14 +25,14 @@ namespace myolines::scene
     {
       switch (kind)
         {
-          case Kind::number:
-            return {"double", "int", "float"};
-          case Kind::integer:
-            return {"int"};
-          case Kind::boolean:
-            return {"bool"};
-          default:
-            return {"string"};
+        case Kind::number:
+          return {"double", "int", "float"};
+        case Kind::integer:
+          return {"int"};
+        case Kind::boolean:
+          return {"bool"};
+        default:
+          return {"string"};
         }
     }
 
@@ -64,9 +64,9 @@ namespace myolines::scene
   {
     std::vector<std::string>           parameters;
     std::vector<std::string>           lists;
-    std::map<std::string, std::string> elsewhere; ///< name -> alternative of a variant, not selected, that it belongs to
-    bool                               complete  = true; ///< false: a selector is wrong, so nobody knows what is allowed
-    bool                               any_list  = false;
+    std::map<std::string, std::string> elsewhere;       ///< name -> alternative of a variant, not selected, that it belongs to
+    bool                               complete = true; ///< false: a selector is wrong, so nobody knows what is allowed
+    bool                               any_list = false;
 
     Names(const std::vector<const Schema *> &chain)
     {
@@ -114,7 +114,7 @@ namespace myolines::scene
     node.written_    = written != nullptr;
     node.scene_file_ = name_;
 
-    const auto chain = schema.chain([&raw](const Entry &selector) {
+    const auto  chain = schema.chain([&raw](const Entry &selector) {
       const RawParameter *given = find(raw, selector.name);
       return given != nullptr ? trimmed(given->text) : selector.fallback.value_or("");
     });
@@ -157,7 +157,8 @@ namespace myolines::scene
   {
     const RawList *list = find_list(raw, section.name);
     if (list != nullptr || !section.optional)
-      node.sections_.push_back(build(list, *section.schema, section.name, node.path_.empty() ? section.name : node.path_ + "/" + section.name));
+      node.sections_.push_back(
+          build(list, *section.schema, section.name, node.path_.empty() ? section.name : node.path_ + "/" + section.name));
   }
 
   void NodeBuilder::read_named(const RawList &raw, const Schema &each, const Names &names, Node &node)
@@ -171,10 +172,11 @@ namespace myolines::scene
         if (contains(names.lists, list.name))
           continue;
         if (list.from_override)
-          problems_.push_back({where(node, list.name, true), "the scene has no list " + quoted(list.name) + " here", "a list that the scene writes",
-                               nearest_hint(list.name, written)});
+          problems_.push_back({where(node, list.name, true), "the scene has no list " + quoted(list.name) + " here",
+                               "a list that the scene writes", nearest_hint(list.name, written)});
         else if (list.name.find('/') != std::string::npos)
-          problems_.push_back({node.where(list.name), "the name " + quoted(list.name) + " contains a slash", "a name without slashes, which separate lists in paths", ""});
+          problems_.push_back({node.where(list.name), "the name " + quoted(list.name) + " contains a slash",
+                               "a name without slashes, which separate lists in paths", ""});
         else
           node.named_.push_back(build(&list, each, list.name, node.path_.empty() ? list.name : node.path_ + "/" + list.name));
       }
@@ -185,7 +187,8 @@ namespace myolines::scene
     std::set<std::string> seen, reported;
     const auto            look_at = [&](const std::string &name) {
       if (!seen.insert(name).second && reported.insert(name).second)
-        problems_.push_back({node.where(name), "duplicate: " + quoted(name) + " is written more than once in this list", "every name once", "remove all but one"});
+        problems_.push_back({node.where(name), "duplicate: " + quoted(name) + " is written more than once in this list", "every name once",
+                             "remove all but one"});
     };
     for (const RawParameter &parameter : raw.parameters)
       look_at(parameter.name);
@@ -202,11 +205,14 @@ namespace myolines::scene
         return;
       const std::string place = where(node, name, from_override);
       if (contains(other, name))
-        problems_.push_back({place, quoted(name) + " is written as a " + (is_list ? "list" : "parameter"), is_list ? "a parameter" : "a list", ""});
+        problems_.push_back(
+            {place, quoted(name) + " is written as a " + (is_list ? "list" : "parameter"), is_list ? "a parameter" : "a list", ""});
       else if (names.elsewhere.count(name) != 0)
-        problems_.push_back({place, quoted(name) + " does not apply here", "what belongs to the chosen alternative", "it belongs to " + quoted(names.elsewhere.at(name))});
+        problems_.push_back({place, quoted(name) + " does not apply here", "what belongs to the chosen alternative",
+                             "it belongs to " + quoted(names.elsewhere.at(name))});
       else
-        problems_.push_back({place, std::string("unknown ") + (is_list ? "list " : "parameter ") + quoted(name), "a name that is declared here", nearest_hint(name, same)});
+        problems_.push_back({place, std::string("unknown ") + (is_list ? "list " : "parameter ") + quoted(name),
+                             "a name that is declared here", nearest_hint(name, same)});
     };
     for (const RawParameter &parameter : raw.parameters)
       refuse(parameter.name, false, parameter.from_override);
@@ -219,7 +225,8 @@ namespace myolines::scene
     const std::vector<std::string> types = type_attributes(entry.kind);
     if (!raw.type.empty() && !contains(types, raw.type))
       {
-        problems_.push_back({where, "type=" + quoted(raw.type) + " does not fit", "type=" + quoted(types.front()) + ", " + entry.expected(), ""});
+        problems_.push_back(
+            {where, "type=" + quoted(raw.type) + " does not fit", "type=" + quoted(types.front()) + ", " + entry.expected(), ""});
         return std::nullopt;
       }
     const auto refuse = [&](const std::string &what, const std::string &hint = "") {

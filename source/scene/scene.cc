@@ -50,14 +50,16 @@ namespace myolines::scene
     return build_root(raw_scene(xml, name, overrides), schema, name, folder);
   }
 
-  std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path, const std::vector<std::string> &overrides)
+  std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,
+                                       const std::vector<std::string> &overrides)
   {
     const RawList       root  = raw_scene(file_text(file), file.string(), overrides);
     const RawParameter *found = find_parameter(root, path);
     return found != nullptr ? std::optional<std::string>(found->text) : std::nullopt;
   }
 
-  Node compose_scene(const Schema &schema, const std::vector<Setting> &settings, const std::string &name, const std::filesystem::path &folder)
+  Node compose_scene(const Schema &schema, const std::vector<Setting> &settings, const std::string &name,
+                     const std::filesystem::path &folder)
   {
     RawList root;
     for (const auto &[path, text] : settings)

@@ -31,18 +31,18 @@ namespace myolines::scene
     const bool        bounded   = range.text() != Range::any().text();
     switch (kind)
       {
-        case Kind::number:
-          return "a number" + with_unit + (bounded ? " " + range.text() : "");
-        case Kind::integer:
-          return "an integer" + (bounded ? " " + range.text() : "");
-        case Kind::boolean:
-          return "true or false";
-        case Kind::choice:
-          return "one of " + join(choices);
-        case Kind::file:
-          return "the path of a file, relative to the scene";
-        case Kind::text:
-          break;
+      case Kind::number:
+        return "a number" + with_unit + (bounded ? " " + range.text() : "");
+      case Kind::integer:
+        return "an integer" + (bounded ? " " + range.text() : "");
+      case Kind::boolean:
+        return "true or false";
+      case Kind::choice:
+        return "one of " + join(choices);
+      case Kind::file:
+        return "the path of a file, relative to the scene";
+      case Kind::text:
+        break;
       }
     return "a text";
   }
@@ -84,14 +84,16 @@ namespace myolines::scene
   {
     if (fallback && !range.contains(*fallback))
       throw std::logic_error("the default of \"" + name + "\" is out of its range");
-    return add({name, Kind::number, fallback ? std::optional<std::string>(format_number(*fallback)) : std::nullopt, false, unit, range, {}, doc});
+    return add(
+        {name, Kind::number, fallback ? std::optional<std::string>(format_number(*fallback)) : std::nullopt, false, unit, range, {}, doc});
   }
 
   Schema &Schema::integer(const std::string &name, const std::optional<int> fallback, const Range range, const std::string &doc)
   {
     if (fallback && !range.contains(*fallback))
       throw std::logic_error("the default of \"" + name + "\" is out of its range");
-    return add({name, Kind::integer, fallback ? std::optional<std::string>(std::to_string(*fallback)) : std::nullopt, false, "", range, {}, doc});
+    return add(
+        {name, Kind::integer, fallback ? std::optional<std::string>(std::to_string(*fallback)) : std::nullopt, false, "", range, {}, doc});
   }
 
   Schema &Schema::boolean(const std::string &name, const bool fallback, const std::string &doc)
@@ -104,7 +106,8 @@ namespace myolines::scene
     return add({name, Kind::text, std::move(fallback), false, "", {}, {}, doc});
   }
 
-  Schema &Schema::choice(const std::string &name, std::optional<std::string> fallback, std::vector<std::string> choices, const std::string &doc)
+  Schema &Schema::choice(const std::string &name, std::optional<std::string> fallback, std::vector<std::string> choices,
+                         const std::string &doc)
   {
     if (fallback && std::find(choices.begin(), choices.end(), *fallback) == choices.end())
       throw std::logic_error("the default of \"" + name + "\" is none of its choices");
@@ -136,8 +139,8 @@ namespace myolines::scene
     return *this;
   }
 
-  Schema &Schema::variant(const std::string &name, std::optional<std::string> fallback, std::vector<std::pair<std::string, Schema>> alternatives,
-                          const std::string &doc)
+  Schema &Schema::variant(const std::string &name, std::optional<std::string> fallback,
+                          std::vector<std::pair<std::string, Schema>> alternatives, const std::string &doc)
   {
     if (variant_)
       throw std::logic_error("scene schema with two variants, the second is \"" + name + "\"");
@@ -156,10 +159,11 @@ namespace myolines::scene
     std::vector<const Schema *> links{this};
     for (const Schema *last = this; last != nullptr && last->variant_;)
       {
-        const Variant &   variant  = *last->variant_;
-        const auto        selector = std::find_if(last->entries_.begin(), last->entries_.end(), [&](const Entry &e) { return e.name == variant.selector; });
-        const std::string choice   = selected(*selector);
-        last                       = nullptr;
+        const Variant &variant = *last->variant_;
+        const auto     selector =
+            std::find_if(last->entries_.begin(), last->entries_.end(), [&](const Entry &e) { return e.name == variant.selector; });
+        const std::string choice = selected(*selector);
+        last                     = nullptr;
         for (const auto &[name, schema] : variant.alternatives)
           if (name == choice)
             last = schema.get();

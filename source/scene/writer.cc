@@ -12,23 +12,23 @@ namespace myolines::scene
       for (const char c : text)
         switch (c)
           {
-            case '&':
-              result += "&amp;";
-              break;
-            case '<':
-              result += "&lt;";
-              break;
-            case '>':
-              result += "&gt;";
-              break;
-            case '"':
-              result += "&quot;";
-              break;
-            case '\n': // a raw one would come back as a space from other XML readers
-              result += "&#10;";
-              break;
-            default:
-              result += c;
+          case '&':
+            result += "&amp;";
+            break;
+          case '<':
+            result += "&lt;";
+            break;
+          case '>':
+            result += "&gt;";
+            break;
+          case '"':
+            result += "&quot;";
+            break;
+          case '\n': // a raw one would come back as a space from other XML readers
+            result += "&#10;";
+            break;
+          default:
+            result += c;
           }
       return result;
     }
@@ -37,14 +37,14 @@ namespace myolines::scene
     {
       switch (kind)
         {
-          case Kind::number:
-            return "double";
-          case Kind::integer:
-            return "int";
-          case Kind::boolean:
-            return "bool";
-          default:
-            return "string";
+        case Kind::number:
+          return "double";
+        case Kind::integer:
+          return "int";
+        case Kind::boolean:
+          return "bool";
+        default:
+          return "string";
         }
     }
   } // namespace
@@ -100,7 +100,7 @@ namespace myolines::scene
           {
             comment(entry.declaration() + ". " + entry.doc, depth);
             const auto found =
-              std::find_if(node.values_.begin(), node.values_.end(), [&entry](const auto &value) { return value.first == entry.name; });
+                std::find_if(node.values_.begin(), node.values_.end(), [&entry](const auto &value) { return value.first == entry.name; });
             if (found != node.values_.end())
               parameter(entry.name, found->second, depth);
             else
@@ -119,7 +119,8 @@ namespace myolines::scene
 
   void SceneWriter::parameter(const std::string &name, const Node::Value &value, const int depth)
   {
-    line("<Parameter name=\"" + escaped(name) + "\" type=\"" + type_attribute(value.kind) + "\" value=\"" + escaped(value.text) + "\"/>", depth);
+    line("<Parameter name=\"" + escaped(name) + "\" type=\"" + type_attribute(value.kind) + "\" value=\"" + escaped(value.text) + "\"/>",
+         depth);
   }
 
   void SceneWriter::comment(const std::string &text, const int depth)
@@ -131,10 +132,7 @@ namespace myolines::scene
     line("<!-- " + safe + " -->", depth);
   }
 
-  bool SceneWriter::wanted(const Node &node) const
-  {
-    return values_ == Values::all || node.written_;
-  }
+  bool SceneWriter::wanted(const Node &node) const { return values_ == Values::all || node.written_; }
 
   void SceneWriter::line(const std::string &text, const int depth) { out_ << std::string(2 * depth, ' ') << text << '\n'; }
 

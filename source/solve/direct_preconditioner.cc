@@ -45,12 +45,14 @@ namespace myolines
       /// False if the copy has another pattern: the analysis of the old one is of no use then.
       bool copy_values(const Epetra_CrsMatrix &matrix)
       {
-        int *   from_rows, *from_columns, *to_rows, *to_columns;
+        int    *from_rows, *from_columns, *to_rows, *to_columns;
         double *from = nullptr, *to = nullptr;
-        if (matrix.ExtractCrsDataPointers(from_rows, from_columns, from) != 0 || copy_->ExtractCrsDataPointers(to_rows, to_columns, to) != 0)
+        if (matrix.ExtractCrsDataPointers(from_rows, from_columns, from) != 0 ||
+            copy_->ExtractCrsDataPointers(to_rows, to_columns, to) != 0)
           return false;
-        const int rows = matrix.NumMyRows(), entries = matrix.NumMyNonzeros();
-        const bool same = copy_->NumMyRows() == rows && copy_->NumMyNonzeros() == entries && std::equal(from_rows, from_rows + rows + 1, to_rows) &&
+        const int  rows = matrix.NumMyRows(), entries = matrix.NumMyNonzeros();
+        const bool same = copy_->NumMyRows() == rows && copy_->NumMyNonzeros() == entries &&
+                          std::equal(from_rows, from_rows + rows + 1, to_rows) &&
                           std::equal(from_columns, from_columns + entries, to_columns);
         int same_everywhere = 0, same_here = same;
         matrix.Comm().MinAll(&same_here, &same_everywhere, 1);
@@ -72,7 +74,8 @@ namespace myolines
       static void check(const int code, const std::string &phase)
       {
         if (code != 0)
-          throw std::runtime_error("direct: " + phase + " factorisation failed with code " + std::to_string(code) + "; the matrix may be singular");
+          throw std::runtime_error("direct: " + phase + " factorisation failed with code " + std::to_string(code) +
+                                   "; the matrix may be singular");
       }
 
       std::unique_ptr<Epetra_CrsMatrix>     copy_;

@@ -83,7 +83,7 @@ namespace myolines
     Vector right(g);
     right *= -1;
     const LinearReport report =
-      linear_.solve(problem_.linearisation(), problem_.weights(), problem_.constraints(), problem_.symmetric(), right, dx, tolerance);
+        linear_.solve(problem_.linearisation(), problem_.weights(), problem_.constraints(), problem_.symmetric(), right, dx, tolerance);
     free_.distribute(dx);
     if (open)
       dx += missing;

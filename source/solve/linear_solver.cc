@@ -34,18 +34,18 @@ namespace myolines
         return 0;
       }
 
-      int               SetUseTranspose(bool) override { return -1; }
-      int               ApplyInverse(const Epetra_MultiVector &, Epetra_MultiVector &) const override { return -1; }
-      double            NormInf() const override { return 0; }
-      const char *      Label() const override { return "preconditioner"; }
-      bool              UseTranspose() const override { return false; }
-      bool              HasNormInf() const override { return false; }
+      int                SetUseTranspose(bool) override { return -1; }
+      int                ApplyInverse(const Epetra_MultiVector &, Epetra_MultiVector &) const override { return -1; }
+      double             NormInf() const override { return 0; }
+      const char        *Label() const override { return "preconditioner"; }
+      bool               UseTranspose() const override { return false; }
+      bool               HasNormInf() const override { return false; }
       const Epetra_Comm &Comm() const override { return matrix_.Comm(); }
-      const Epetra_Map &OperatorDomainMap() const override { return matrix_.OperatorRangeMap(); }
-      const Epetra_Map &OperatorRangeMap() const override { return matrix_.OperatorDomainMap(); }
+      const Epetra_Map  &OperatorDomainMap() const override { return matrix_.OperatorRangeMap(); }
+      const Epetra_Map  &OperatorRangeMap() const override { return matrix_.OperatorDomainMap(); }
 
     private:
-      const Preconditioner & preconditioner_;
+      const Preconditioner  &preconditioner_;
       const Epetra_Operator &matrix_;
     };
 
@@ -66,9 +66,10 @@ namespace myolines
     using scene::Range;
     scene::Schema schema("Krylov solver for the linear systems of Newton's method.");
     schema
-      .choice("type", "automatic", {"automatic", "cg", "gmres"}, "Method; automatic: cg if the operator is symmetric, else gmres. A cg that fails falls back to gmres.")
-      .integer("maximum iterations", 1000, Range::closed(1, 100000), "Largest number of iterations of one solve.")
-      .integer("restart", 100, Range::closed(1, 1000), "gmres starts anew after this many iterations; it stores as many vectors.");
+        .choice("type", "automatic", {"automatic", "cg", "gmres"},
+                "Method; automatic: cg if the operator is symmetric, else gmres. A cg that fails falls back to gmres.")
+        .integer("maximum iterations", 1000, Range::closed(1, 100000), "Largest number of iterations of one solve.")
+        .integer("restart", 100, Range::closed(1, 1000), "gmres starts anew after this many iterations; it stores as many vectors.");
     return schema;
   }
 
@@ -80,8 +81,10 @@ namespace myolines
       alternatives.emplace_back(entry.name, entry.schema);
     scene::Schema schema("Preconditioner of the Krylov solver.");
     schema.variant("type", "automatic", alternatives, "Kind of preconditioner.")
-      .choice("rebuild", "when slow", {"every step", "when slow"}, "When to set it up anew: for every nonlinear solve, or when iterations have grown.")
-      .integer("slow iterations", 10, Range::closed(1, 1000), "Iterations beyond those of the first solve after a set-up that call for a new one.");
+        .choice("rebuild", "when slow", {"every step", "when slow"},
+                "When to set it up anew: for every nonlinear solve, or when iterations have grown.")
+        .integer("slow iterations", 10, Range::closed(1, 1000),
+                 "Iterations beyond those of the first solve after a set-up that call for a new one.");
     return schema;
   }
 
@@ -99,6 +102,7 @@ namespace myolines
     {}
 
     void new_step() { outdated_ = outdated_ || every_step_; }
+    void forget() { preconditioner_.reset(); }
 
     LinearReport solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, const bool symmetric,
                        const Vector &b, Vector &x, const double tolerance);
@@ -116,13 +120,13 @@ namespace myolines
     const bool         every_step_;
     const unsigned int slow_iterations_;
     const scene::Node  node_;
-    WorkLedger &       ledger_;
+    WorkLedger        &ledger_;
 
     std::unique_ptr<Preconditioner> preconditioner_;
-    const SparseMatrix *            built_for_   = nullptr;
-    std::size_t                     built_size_  = 0;
-    bool                            outdated_    = true;
-    bool                            fresh_       = false;
+    const SparseMatrix             *built_for_              = nullptr;
+    std::size_t                     built_size_             = 0;
+    bool                            outdated_               = true;
+    bool                            fresh_                  = false;
     unsigned int                    iterations_after_build_ = 0;
   };
 
@@ -162,14 +166,14 @@ namespace myolines
                                             LinearReport &report)
   {
     const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-    const Epetra_Map &      map    = epetra.OperatorRangeMap();
+    const Epetra_Map       &map    = epetra.OperatorRangeMap();
     Epetra_Vector           left   = view(x, map);
     Epetra_Vector           right  = view(b, map);
     PreconditionerOperator  inverse(*preconditioner_, epetra);
 
-    const auto problem = Teuchos::rcp(new Problem(Teuchos::rcp<const Epetra_Operator>(&epetra, false),
-                                                  Teuchos::rcp<Epetra_MultiVector>(&left, false),
-                                                  Teuchos::rcp<const Epetra_MultiVector>(&right, false)));
+    const auto problem =
+        Teuchos::rcp(new Problem(Teuchos::rcp<const Epetra_Operator>(&epetra, false), Teuchos::rcp<Epetra_MultiVector>(&left, false),
+                                 Teuchos::rcp<const Epetra_MultiVector>(&right, false)));
     const auto inverse_pointer = Teuchos::rcp<const Epetra_Operator>(&inverse, false);
     if (cg)
       problem->setLeftPrec(inverse_pointer);
@@ -206,14 +210,15 @@ namespace myolines
     report.iterations += manager->getNumIters();
   }
 
-  LinearReport LinearSolver::Implementation::attempt(const SparseMatrix &matrix, const bool symmetric, const Vector &b, Vector &x, const double tolerance)
+  LinearReport LinearSolver::Implementation::attempt(const SparseMatrix &matrix, const bool symmetric, const Vector &b, Vector &x,
+                                                     const double tolerance)
   {
     LinearReport report;
     // The inner tests of Belos differ from the true residual by round-off: let them stop a little later.
     const double inner    = 0.9 * tolerance;
     const auto   verified = [&] {
       report.relative_residual = true_residual(matrix, b, x);
-      return report.converged = report.relative_residual <= tolerance;
+      return report.converged  = report.relative_residual <= tolerance;
     };
 
     x = 0;
@@ -234,7 +239,8 @@ namespace myolines
         try
           {
             krylov(cg, matrix, b, x, inner, report);
-            report.reason = std::string(cg ? "cg" : "gmres") + " has not converged within " + std::to_string(maximum_iterations_) + " iterations";
+            report.reason =
+                std::string(cg ? "cg" : "gmres") + " has not converged within " + std::to_string(maximum_iterations_) + " iterations";
           }
         catch (const std::exception &error)
           {
@@ -256,8 +262,9 @@ namespace myolines
     return report;
   }
 
-  LinearReport LinearSolver::Implementation::solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints,
-                                                   const bool symmetric, const Vector &b, Vector &x, const double tolerance)
+  LinearReport LinearSolver::Implementation::solve(Linearisation &linearisation, const WeightsByOrder &weights,
+                                                   const Constraints &constraints, const bool symmetric, const Vector &b, Vector &x,
+                                                   const double tolerance)
   {
     ledger_.count("linear solves");
     LinearReport report;
@@ -275,7 +282,7 @@ namespace myolines
       {
         const SparseMatrix &matrix = assemble(linearisation, weights);
         fresh_                     = false;
-        if (outdated_ || built_for_ != &matrix || built_size_ != b.size())
+        if (!preconditioner_ || outdated_ || built_for_ != &matrix || built_size_ != b.size())
           build(matrix, linearisation.multilevel(), b.size());
         for (;;)
           {
@@ -314,8 +321,10 @@ namespace myolines
 
   void LinearSolver::new_step() { implementation_->new_step(); }
 
-  LinearReport LinearSolver::solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, const bool symmetric,
-                                   const Vector &b, Vector &x, const double tolerance)
+  void LinearSolver::forget() { implementation_->forget(); }
+
+  LinearReport LinearSolver::solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints,
+                                   const bool symmetric, const Vector &b, Vector &x, const double tolerance)
   {
     return implementation_->solve(linearisation, weights, constraints, symmetric, b, x, tolerance);
   }

@@ -72,12 +72,12 @@ namespace myolines
         list.set("null space: add default vectors", false);
       }
 
-      const unsigned int                                     sweeps_;
-      const double                                           threshold_;
-      const unsigned int                                     coarse_size_;
-      std::vector<double>                                    null_space_;
+      const unsigned int                                   sweeps_;
+      const double                                         threshold_;
+      const unsigned int                                   coarse_size_;
+      std::vector<double>                                  null_space_;
       std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> hierarchy_;
-      const Epetra_Map *                                     map_ = nullptr;
+      const Epetra_Map                                    *map_ = nullptr;
     };
   } // namespace
 
@@ -88,11 +88,14 @@ namespace myolines
     entry.name    = "ml";
     entry.summary = "Smoothed-aggregation multigrid (ML) with the near-null space of the system and Chebyshev smoothing.";
     entry.schema  = scene::Schema(entry.summary);
-    entry.schema.integer("smoother sweeps", 2, Range::closed(1, 20), "Degree of the Chebyshev smoother, before and after each coarse correction.")
-      .number("aggregation threshold", 0, "-", Range{0, 1, false, true}, "Couplings weaker than this fraction of the diagonal do not aggregate.")
-      .integer("coarse size", 1000, Range::closed(1, 100000), "Coarsening ends at this number of unknowns, solved directly.");
+    entry.schema
+        .integer("smoother sweeps", 4, Range::closed(1, 20), "Degree of the Chebyshev smoother, before and after each coarse correction.")
+        .number("aggregation threshold", 0, "-", Range{0, 1, false, true},
+                "Couplings weaker than this fraction of the diagonal do not aggregate.")
+        .integer("coarse size", 1000, Range::closed(1, 100000), "Coarsening ends at this number of unknowns, solved directly.");
     entry.make = [](const scene::Node &node, std::size_t) {
-      return std::make_unique<Multilevel>(node.integer("smoother sweeps"), node.number("aggregation threshold"), node.integer("coarse size"));
+      return std::make_unique<Multilevel>(node.integer("smoother sweeps"), node.number("aggregation threshold"),
+                                          node.integer("coarse size"));
     };
     return entry;
   }

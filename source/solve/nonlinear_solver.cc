@@ -20,7 +20,7 @@ namespace myolines
     struct Solve
     {
       LiftedFunction function;
-      WorkLedger &   ledger;
+      WorkLedger    &ledger;
       double         relative_tolerance;
       double         absolute_tolerance;
       unsigned int   maximum_iterations;
@@ -50,7 +50,7 @@ namespace myolines
 
       NOX::Abstract::Group &operator=(const NOX::Abstract::Group &other) override
       {
-        const auto &from = dynamic_cast<const NoxGroup &>(other);
+        const auto &from  = dynamic_cast<const NoxGroup &>(other);
         x_.values         = from.x_.values;
         g_.values         = from.g_.values;
         direction_.values = from.direction_.values;
@@ -69,7 +69,7 @@ namespace myolines
 
       void computeX(const NOX::Abstract::Group &from, const NOX::Abstract::Vector &direction, const double step) override
       {
-        const auto &origin    = dynamic_cast<const NoxGroup &>(from);
+        const auto  &origin    = dynamic_cast<const NoxGroup &>(from);
         const double remaining = (1 - step) * origin.sample_.remaining;
         x_.values              = origin.x_.values;
         x_.values.add(step, NoxVector::of(direction));
@@ -83,8 +83,8 @@ namespace myolines
       ReturnType computeF() override
       {
         if (!evaluated_)
-          sample_ = first_ ? solve_.function.first(x_.values, sample_.stamp, g_.values) :
-                             solve_.function.evaluate(x_.values, sample_.stamp, sample_.remaining, g_.values);
+          sample_ = first_ ? solve_.function.first(x_.values, sample_.stamp, g_.values)
+                           : solve_.function.evaluate(x_.values, sample_.stamp, sample_.remaining, g_.values);
         evaluated_ = true;
         return sample_.evaluation.admissible ? Ok : Failed;
       }
@@ -96,7 +96,8 @@ namespace myolines
       {
         if (has_direction_)
           return Ok;
-        const LinearReport report = solve_.function.direction(x_.values, sample_, g_.values, list.get<double>("Tolerance"), direction_.values);
+        const LinearReport report =
+            solve_.function.direction(x_.values, sample_, g_.values, list.get<double>("Tolerance"), direction_.values);
         ++solve_.iterations;
         solve_.ledger.count("newton iterations");
         solve_.linear_iterations += report.iterations;
@@ -137,7 +138,7 @@ namespace myolines
         has_direction_    = false;
       }
 
-      Solve &                solve_;
+      Solve                 &solve_;
       NoxVector              x_;
       NoxVector              g_;
       NoxVector              direction_;
@@ -157,7 +158,8 @@ namespace myolines
         : solve_(solve)
       {}
 
-      bool compute(NOX::Abstract::Group &group, double &step, const NOX::Abstract::Vector &direction, const NOX::Solver::Generic &solver) override
+      bool compute(NOX::Abstract::Group &group, double &step, const NOX::Abstract::Vector &direction,
+                   const NOX::Solver::Generic &solver) override
       {
         const NOX::Abstract::Group &old   = solver.getPreviousSolutionGroup();
         const double                norm0 = old.getNormF();
@@ -243,7 +245,8 @@ namespace myolines
         else if (iterations >= solve_.maximum_iterations)
           {
             std::ostringstream text;
-            text << "residual " << sample.norm << " above the tolerance " << solve_.tolerance() << " after " << iterations << " Newton iterations";
+            text << "residual " << sample.norm << " above the tolerance " << solve_.tolerance() << " after " << iterations
+                 << " Newton iterations";
             solve_.reason = text.str();
             status_       = NOX::StatusTest::Failed;
           }
@@ -251,10 +254,10 @@ namespace myolines
       }
 
       NOX::StatusTest::StatusType getStatus() const override { return status_; }
-      std::ostream &              print(std::ostream &stream, int) const override { return stream; }
+      std::ostream               &print(std::ostream &stream, int) const override { return stream; }
 
     private:
-      Solve &                     solve_;
+      Solve                      &solve_;
       NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
     };
   } // namespace
@@ -265,11 +268,12 @@ namespace myolines
     const Range   fraction{0, 1, true, true};
     scene::Schema schema("Newton's method for the implicit stages.");
     schema.number("relative tolerance", 1e-8, "-", fraction, "Converged when the residual has fallen by this factor.")
-      .number("absolute tolerance", 1e-10, "unit of the residual", Range::not_negative(), "Converged when the residual norm is below this.")
-      .integer("maximum iterations", 25, Range::closed(1, 1000), "Largest number of Newton steps.")
-      .integer("line search cuts", 6, Range::closed(0, 50), "Largest number of times one Newton step is shortened.")
-      .number("forcing minimum", 1e-3, "-", fraction, "Tightest relative tolerance of the linear solves.")
-      .number("forcing maximum", 1e-2, "-", fraction, "Loosest relative tolerance of the linear solves, and that of the first one.");
+        .number("absolute tolerance", 1e-10, "unit of the residual", Range::not_negative(),
+                "Converged when the residual norm is below this.")
+        .integer("maximum iterations", 25, Range::closed(1, 1000), "Largest number of Newton steps.")
+        .integer("line search cuts", 6, Range::closed(0, 50), "Largest number of times one Newton step is shortened.")
+        .number("forcing minimum", 1e-3, "-", fraction, "Tightest relative tolerance of the linear solves.")
+        .number("forcing maximum", 1e-2, "-", fraction, "Loosest relative tolerance of the linear solves, and that of the first one.");
     return schema;
   }
 
@@ -292,8 +296,8 @@ namespace myolines
     void                                 run(Solve &solve, const Teuchos::RCP<NoxGroup> &group, NonlinearReport &report);
 
     const scene::Node node_;
-    LinearSolver &    linear_;
-    WorkLedger &      ledger_;
+    LinearSolver     &linear_;
+    WorkLedger       &ledger_;
   };
 
   Teuchos::RCP<Teuchos::ParameterList> NonlinearSolver::Implementation::parameters(Solve &solve) const
@@ -314,7 +318,8 @@ namespace myolines
     newton.set("Forcing Term Maximum Tolerance", node_.number("forcing maximum"));
     Teuchos::ParameterList &search = list->sublist("Line Search");
     search.set("Method", "User Defined");
-    search.set<Teuchos::RCP<NOX::LineSearch::UserDefinedFactory>>("User Defined Line Search Factory", Teuchos::rcp(new BacktrackingFactory(solve)));
+    search.set<Teuchos::RCP<NOX::LineSearch::UserDefinedFactory>>("User Defined Line Search Factory",
+                                                                  Teuchos::rcp(new BacktrackingFactory(solve)));
     return list;
   }
 
@@ -336,7 +341,7 @@ namespace myolines
     ledger_.count("nonlinear solves");
     linear_.new_step();
     x.update_ghost_values();
-    Solve solve{LiftedFunction(problem, linear_, ledger_, x),
+    Solve           solve{LiftedFunction(problem, linear_, ledger_, x),
                 ledger_,
                 node_.number("relative tolerance"),
                 node_.number("absolute tolerance"),

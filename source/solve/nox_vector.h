@@ -21,9 +21,18 @@ namespace myolines
 
     static const myolines::Vector &of(const NOX::Abstract::Vector &x) { return dynamic_cast<const NoxVector &>(x).values; }
 
-    NOX::Abstract::Vector &init(const double value) override { return map([value](double) { return value; }, *this); }
-    NOX::Abstract::Vector &abs(const NOX::Abstract::Vector &y) override { return map([](double e) { return std::abs(e); }, y); }
-    NOX::Abstract::Vector &reciprocal(const NOX::Abstract::Vector &y) override { return map([](double e) { return 1 / e; }, y); }
+    NOX::Abstract::Vector &init(const double value) override
+    {
+      return map([value](double) { return value; }, *this);
+    }
+    NOX::Abstract::Vector &abs(const NOX::Abstract::Vector &y) override
+    {
+      return map([](double e) { return std::abs(e); }, y);
+    }
+    NOX::Abstract::Vector &reciprocal(const NOX::Abstract::Vector &y) override
+    {
+      return map([](double e) { return 1 / e; }, y);
+    }
 
     NOX::Abstract::Vector &random(const bool use_seed, const int seed) override
     {
@@ -56,11 +65,8 @@ namespace myolines
       return *this;
     }
 
-    NOX::Abstract::Vector &update(const double                 alpha,
-                                  const NOX::Abstract::Vector &a,
-                                  const double                 beta,
-                                  const NOX::Abstract::Vector &b,
-                                  const double                 gamma) override
+    NOX::Abstract::Vector &update(const double alpha, const NOX::Abstract::Vector &a, const double beta, const NOX::Abstract::Vector &b,
+                                  const double gamma) override
     {
       values.sadd(gamma, alpha, of(a));
       values.add(beta, of(b));
@@ -81,7 +87,7 @@ namespace myolines
       return std::sqrt(weighted * values);
     }
 
-    double     innerProduct(const NOX::Abstract::Vector &y) const override { return values * of(y); }
+    double         innerProduct(const NOX::Abstract::Vector &y) const override { return values * of(y); }
     NOX::size_type length() const override { return values.size(); }
 
     myolines::Vector values;

@@ -32,7 +32,8 @@ namespace myolines
       std::vector<double> inverse_;
     };
 
-    /// The options of "automatic" are those of its two alternatives and the size that decides.
+    /// The options of "automatic" are those of its two alternatives and the size that decides. Measured on the active 3D
+    /// muscle, seconds per step of direct and ml: 1.1 and 3.6 (14,739 unknowns), 18 and 44 (107,811).
     PreconditionerEntry automatic_entry()
     {
       PreconditionerEntry direct = direct_preconditioner_entry();
@@ -42,7 +43,9 @@ namespace myolines
       entry.name    = "automatic";
       entry.summary = "direct up to a number of unknowns, ml above.";
       entry.schema  = ml.schema;
-      entry.schema.integer("direct up to", 30000, scene::Range::not_negative(), "Largest number of unknowns for which direct is taken.");
+      entry.schema.integer(
+          "direct up to", 120000, scene::Range::not_negative(),
+          "Largest number of unknowns for which direct is taken; the factors of 107,811 take 3 GB and half the time of ml.");
       entry.make = [direct, ml](const scene::Node &node, const std::size_t n_unknowns) {
         return (n_unknowns <= static_cast<std::size_t>(node.integer("direct up to")) ? direct : ml).make(node, n_unknowns);
       };
@@ -62,9 +65,7 @@ namespace myolines
 
   const std::vector<PreconditionerEntry> &preconditioner_registry()
   {
-    static const std::vector<PreconditionerEntry> entries = {automatic_entry(),
-                                                             ml_preconditioner_entry(),
-                                                             jacobi_preconditioner_entry(),
+    static const std::vector<PreconditionerEntry> entries = {automatic_entry(), ml_preconditioner_entry(), jacobi_preconditioner_entry(),
                                                              direct_preconditioner_entry()};
     return entries;
   }

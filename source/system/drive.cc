@@ -19,8 +19,8 @@ namespace myolines
     {
       Schema schema(doc);
       schema.optional_text("points", "Control points \"t value; t value; ...\", times [s] ascending. Either these or a file.")
-        .optional_file("file", "Control points, one \"t value\" a line; lines that begin with # are skipped.")
-        .number("scale", 1, "-", Range::any(), "Multiplies the values of the control points [" + unit + "].");
+          .optional_file("file", "Control points, one \"t value\" a line; lines that begin with # are skipped.")
+          .number("scale", 1, "-", Range::any(), "Multiplies the values of the control points [" + unit + "].");
       return schema;
     }
 
@@ -80,8 +80,8 @@ namespace myolines
       for (std::size_t i = 1; i < points.size(); ++i)
         if (!(points[i].t - points[i - 1].t > least_gap))
           node.refuse(parameter,
-                      "unsorted: time " + scene::format_number(points[i].t) + " of control point " + std::to_string(i + 1) + " follows time " +
-                        scene::format_number(points[i - 1].t),
+                      "unsorted: time " + scene::format_number(points[i].t) + " of control point " + std::to_string(i + 1) +
+                          " follows time " + scene::format_number(points[i - 1].t),
                       "strictly ascending times", "a jump must be written as a short ramp");
       for (auto &point : points)
         point.value *= node.number("scale");
@@ -93,7 +93,8 @@ namespace myolines
       const double start = node.number("start"), duration = node.number("duration");
       const Points points{{start, 0}, {start + duration, node.number("amplitude")}};
       if (!(duration > 4 * PiecewiseDrive::tolerance(points)))
-        node.refuse("duration", scene::format_number(duration) + " s vanishes beside the start at " + scene::format_number(start) + " s", "a longer time");
+        node.refuse("duration", scene::format_number(duration) + " s vanishes beside the start at " + scene::format_number(start) + " s",
+                    "a longer time");
       return std::make_unique<PiecewiseDrive>(PiecewiseDrive::lines(points));
     }
 
@@ -101,14 +102,15 @@ namespace myolines
     std::unique_ptr<Drive> make_smooth_step(const Node &node)
     {
       const double amplitude = node.number("amplitude"), duration = node.number("duration");
-      double       shape     = 1;
+      double       shape = 1;
       if (node.has("maximum rate"))
         {
           const double rate = node.number("maximum rate");
           shape             = 2 * std::abs(amplitude) / (rate * duration);
           if (shape > 2 / std::sqrt(3.))
             node.refuse("maximum rate", scene::format_number(rate) + " is too small for this amplitude and duration",
-                        "at least sqrt(3) |amplitude| / duration = " + scene::format_number(std::sqrt(3.) * std::abs(amplitude) / duration));
+                        "at least sqrt(3) |amplitude| / duration = " +
+                            scene::format_number(std::sqrt(3.) * std::abs(amplitude) / duration));
           if (amplitude == 0)
             shape = 1;
         }
@@ -125,30 +127,31 @@ namespace myolines
 
     Schema ramp("From 0 linearly to the amplitude, then constant, thesis (4.7.4); kinks at both ends.");
     ramp.number("amplitude", std::nullopt, unit, Range::any(), amplitude)
-      .number("start", 0, "s", Range::any(), "Time at which the ramp begins.")
-      .number("duration", std::nullopt, "s", Range::positive(), "Time that the ramp takes.");
+        .number("start", 0, "s", Range::any(), "Time at which the ramp begins.")
+        .number("duration", std::nullopt, "s", Range::positive(), "Time that the ramp takes.");
 
     Schema smooth("From 0 infinitely smoothly to the amplitude, thesis (4.7.3).");
     smooth.number("amplitude", std::nullopt, unit, Range::any(), amplitude)
-      .number("start", 0, "s", Range::any(), "Time at which the step begins.")
-      .number("duration", std::nullopt, "s", Range::positive(), "Time T that the step takes.")
-      .optional_number("maximum rate", "1/s", Range::positive(), "Greatest rate, at the middle, >= sqrt(3) |A| / T; absent: 2 |A| / T.");
+        .number("start", 0, "s", Range::any(), "Time at which the step begins.")
+        .number("duration", std::nullopt, "s", Range::positive(), "Time T that the step takes.")
+        .optional_number("maximum rate", "1/s", Range::positive(), "Greatest rate, at the middle, >= sqrt(3) |A| / T; absent: 2 |A| / T.");
 
     Schema sine("offset + A sin(2 pi f t + phase), thesis (4.7.5).");
     sine.number("amplitude", std::nullopt, unit, Range::any(), amplitude)
-      .number("frequency", std::nullopt, "Hz", Range::positive(), "Frequency f.")
-      .number("phase", 0, "degree", Range::any(), "Phase at time 0.")
-      .number("offset", 0, unit, Range::any(), "Mean value.");
+        .number("frequency", std::nullopt, "Hz", Range::positive(), "Frequency f.")
+        .number("phase", 0, "degree", Range::any(), "Phase at time 0.")
+        .number("offset", 0, unit, Range::any(), "Mean value.");
 
     Schema schema("The " + quantity + " as a function of time.");
-    schema.variant("type", "constant",
-                   {{"constant", constant},
-                    {"control points", points_schema(unit, "Straight lines between control points, constant before the first and after the last.")},
-                    {"spline", points_schema(unit, "The C2 spline through control points with slope zero at both ends, constant outside.")},
-                    {"ramp", ramp},
-                    {"smooth step", smooth},
-                    {"sine", sine}},
-                   "How the " + quantity + " varies.");
+    schema.variant(
+        "type", "constant",
+        {{"constant", constant},
+         {"control points", points_schema(unit, "Straight lines between control points, constant before the first and after the last.")},
+         {"spline", points_schema(unit, "The C2 spline through control points with slope zero at both ends, constant outside.")},
+         {"ramp", ramp},
+         {"smooth step", smooth},
+         {"sine", sine}},
+        "How the " + quantity + " varies.");
     return schema;
   }
 

@@ -31,7 +31,8 @@ namespace myolines
     }
   } // namespace
 
-  PiecewiseDrive::PiecewiseDrive(const std::vector<ControlPoint> &p, const std::vector<double> &slopes_right, const std::vector<double> &slopes_left)
+  PiecewiseDrive::PiecewiseDrive(const std::vector<ControlPoint> &p, const std::vector<double> &slopes_right,
+                                 const std::vector<double> &slopes_left)
     : tolerance_(tolerance(p))
   {
     pieces_.push_back({p.front().t, p.front().value, 0, 0, 0});
@@ -69,7 +70,8 @@ namespace myolines
   const PiecewiseDrive::Piece &PiecewiseDrive::piece(const double t, const Side side) const
   {
     const double shifted = side == Side::right ? t + tolerance_ : t - tolerance_;
-    const auto   next    = std::upper_bound(pieces_.begin() + 1, pieces_.end(), shifted, [](const double time, const Piece &p) { return time < p.begin; });
+    const auto   next =
+        std::upper_bound(pieces_.begin() + 1, pieces_.end(), shifted, [](const double time, const Piece &p) { return time < p.begin; });
     return *(next - 1);
   }
 
@@ -99,7 +101,8 @@ namespace myolines
     for (const Piece &p : pieces_)
       {
         steepest = std::max(steepest, std::abs(first_derivative(p.begin, Side::right)));
-        sharpest = std::max(sharpest, std::max(std::abs(second_derivative(p.begin, Side::left)), std::abs(second_derivative(p.begin, Side::right))));
+        sharpest = std::max(sharpest,
+                            std::max(std::abs(second_derivative(p.begin, Side::left)), std::abs(second_derivative(p.begin, Side::right))));
       }
     for (std::size_t i = 1; i < pieces_.size(); ++i)
       {

@@ -21,13 +21,8 @@ namespace myolines
     class Loop
     {
     public:
-      Loop(const SemiDiscreteSystem &      system,
-           Integrator &                    integrator,
-           StepControl &                   control,
-           const LoopSettings &            settings,
-           State &                         state,
-           const std::vector<Observer *> &observers,
-           WorkLedger &                    ledger)
+      Loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
+           const std::vector<Observer *> &observers, WorkLedger &ledger)
         : integrator_(integrator)
         , control_(control)
         , settings_(settings)
@@ -122,18 +117,19 @@ namespace myolines
           return;
         std::ostringstream text;
         text << "The step from t = " << state_.t << " s of size " << record.dt << " s failed: " << record.report.reason
-             << ". Try a smaller \"time/step\", \"time/control/type\" = \"cut back\" with more \"maximum cuts\", or more \"solver/nonlinear/maximum iterations\".";
+             << ". Try a smaller \"time/step\", \"time/control/type\" = \"cut back\" with more \"maximum cuts\", or more "
+                "\"solver/nonlinear/maximum iterations\".";
         throw SolveError(text.str());
       }
 
-      Integrator &                    integrator_;
-      StepControl &                   control_;
-      const LoopSettings &            settings_;
-      State &                         state_;
+      Integrator                    &integrator_;
+      StepControl                   &control_;
+      const LoopSettings            &settings_;
+      State                         &state_;
       const std::vector<Observer *> &observers_;
-      WorkLedger &                    ledger_;
-      std::vector<double>             events_;
-      std::size_t                     number_;
+      WorkLedger                    &ledger_;
+      std::vector<double>            events_;
+      std::size_t                    number_;
     };
   } // namespace
 
@@ -147,13 +143,8 @@ namespace myolines
     return settings;
   }
 
-  void run_loop(const SemiDiscreteSystem &      system,
-                Integrator &                    integrator,
-                StepControl &                   control,
-                const LoopSettings &            settings,
-                State &                         state,
-                const std::vector<Observer *> &observers,
-                WorkLedger &                    ledger)
+  void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
+                const std::vector<Observer *> &observers, WorkLedger &ledger)
   {
     try
       {

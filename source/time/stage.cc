@@ -70,7 +70,7 @@ namespace myolines
       linearised_ = true;
     }
 
-    Linearisation &       linearisation() override { return *linearisation_; }
+    Linearisation        &linearisation() override { return *linearisation_; }
     const WeightsByOrder &weights() const override { return weights_; }
     bool                  symmetric() const override { return capabilities_.symmetric_tangent; }
 
@@ -113,18 +113,18 @@ namespace myolines
       system_.prescribed(stage_->t, stage_->side, end);
       for (const unsigned int row : constrained_rows(d))
         {
-          const double target = (end.u.local_element(row) - predictor_.u.local_element(row)) / stage_->c.u;
+          const double target             = (end.u.local_element(row) - predictor_.u.local_element(row)) / stage_->c.u;
           predictor_.v.local_element(row) = end.v.local_element(row) - stage_->c.v * target;
           predictor_.a.local_element(row) = end.a.local_element(row) - stage_->c.a * target;
         }
     }
 
-    const SemiDiscreteSystem &     system_;
+    const SemiDiscreteSystem      &system_;
     const BoundaryRates            rates_;
     const Capabilities             capabilities_;
     std::unique_ptr<Linearisation> linearisation_;
     bool                           linearised_ = false;
-    const Stage *                  stage_      = nullptr;
+    const Stage                   *stage_      = nullptr;
     State                          predictor_;
     WeightsByOrder                 weights_;
 
@@ -151,6 +151,23 @@ namespace myolines
     return report;
   }
 
+  State starting_state(const SemiDiscreteSystem &system, const double t0, const BoundaryRates rates)
+  {
+    State state = system.initial_state(t0);
+    if (rates == BoundaryRates::scheme)
+      {
+        for (Vector *x : {&state.v, &state.a})
+          {
+            x->zero_out_ghost_values();
+            for (const auto &line : system.constraints().get_lines())
+              if (x->in_local_range(line.index))
+                (*x)(line.index) = 0;
+            x->update_ghost_values();
+          }
+      }
+    return state;
+  }
+
   void start_piece(const IntegratorContext &context, State &state)
   {
     if (context.boundary_rates == BoundaryRates::exact)
@@ -165,8 +182,8 @@ namespace myolines
     step.initial_residual = solve.initial_residual;
     step.final_residual   = solve.final_residual;
     step.reason           = solve.reason;
-    step.outcome          = solve.converged    ? StepReport::Outcome::accepted :
-                            solve.inadmissible ? StepReport::Outcome::inadmissible :
-                                                 StepReport::Outcome::not_converged;
+    step.outcome          = solve.converged      ? StepReport::Outcome::accepted
+                            : solve.inadmissible ? StepReport::Outcome::inadmissible
+                                                 : StepReport::Outcome::not_converged;
   }
 } // namespace myolines

@@ -110,8 +110,8 @@ namespace myolines
       if (!(end > start))
         time.refuse("end", "the end does not come after the start", "a time later than \"start\" [s]");
       if (time.has("step") == time.has("steps"))
-        time.refuse("step", time.has("step") ? "both \"step\" and \"steps\" are given" : "neither \"step\" nor \"steps\" is given", "exactly one of them",
-                    "\"step\" is one size [s], \"steps\" a schedule such as \"4 x 0.025; 8 x 0.0125\"");
+        time.refuse("step", time.has("step") ? "both \"step\" and \"steps\" are given" : "neither \"step\" nor \"steps\" is given",
+                    "exactly one of them", "\"step\" is one size [s], \"steps\" a schedule such as \"4 x 0.025; 8 x 0.0125\"");
       return time.has("steps") ? scheduled(time, start, end) : Plan(start, end, time.number("step"));
     }
   } // namespace
@@ -122,21 +122,21 @@ namespace myolines
     scene::Schema fixed("The planned steps only; the run ends at a step that fails.");
     scene::Schema cut_back("A step that fails is repeated with half its size; sub-steps land on the ends of the planned steps.");
     cut_back.number("growth factor", 2, "-", Range{1, 10, false, false}, "Growth of the step after a success, up to the planned size.")
-      .number("minimum step", 0, "s", Range::not_negative(), "The run ends rather than take a smaller step.")
-      .integer("maximum cuts", 10, Range::closed(0, 50), "Largest number of times a step is halved before one succeeds.");
+        .number("minimum step", 0, "s", Range::not_negative(), "The run ends rather than take a smaller step.")
+        .integer("maximum cuts", 10, Range::closed(0, 50), "Largest number of times a step is halved before one succeeds.");
 
     scene::Schema schema("Steps in time.");
     schema.number("start", 0, "s", Range::any(), "Initial time.")
-      .number("end", std::nullopt, "s", Range::any(), "Final time; reached exactly.")
-      .optional_number("step", "s", Range::positive(), "Step size; the last step is shorter if the steps do not fit.")
-      .optional_text("steps", "Schedule of steps instead of one size, \"count x size\" separated by semicolons: \"4 x 0.025; 8 x 0.0125\".")
-      .section("control",
-               scene::Schema("What happens when a step fails.")
-                 .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}}, "Kind of step control."))
-      .choice("boundary rates", "exact", {"exact", "scheme"},
-              "Velocity and acceleration of moving boundaries: derivatives of the prescribed motion, or the formulas of the integrator.")
-      .choice("events", "restart", {"restart", "land", "ignore"},
-              "Kinks of the drives: land on them and restart the integrator with right limits, land on them only, or ignore them.");
+        .number("end", std::nullopt, "s", Range::any(), "Final time; reached exactly.")
+        .optional_number("step", "s", Range::positive(), "Step size; the last step is shorter if the steps do not fit.")
+        .optional_text("steps",
+                       "Schedule of steps instead of one size, \"count x size\" separated by semicolons: \"4 x 0.025; 8 x 0.0125\".")
+        .section("control", scene::Schema("What happens when a step fails.")
+                                .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}}, "Kind of step control."))
+        .choice("boundary rates", "exact", {"exact", "scheme"},
+                "Velocity and acceleration of moving boundaries: derivatives of the prescribed motion, or the formulas of the integrator.")
+        .choice("events", "restart", {"restart", "land", "ignore"},
+                "Kinks of the drives: land on them and restart the integrator with right limits, land on them only, or ignore them.");
     return schema;
   }
 
@@ -155,9 +155,10 @@ namespace myolines
         long               count = 0;
         std::string        times, rest;
         double             size = 0;
-        if (!(words >> count >> times >> size) || times != "x" || (words >> rest) || count < 1 || count > 1000000000 || !(size > 0) || !std::isfinite(size))
-          node.refuse(parameter, "\"" + part + "\" is not a piece of a schedule", "\"count x size\" with a positive count and a positive size [s]",
-                      "for example \"4 x 0.025; 8 x 0.0125\"");
+        if (!(words >> count >> times >> size) || times != "x" || (words >> rest) || count < 1 || count > 1000000000 || !(size > 0)
+            || !std::isfinite(size))
+          node.refuse(parameter, "\"" + part + "\" is not a piece of a schedule",
+                      "\"count x size\" with a positive count and a positive size [s]", "for example \"4 x 0.025; 8 x 0.0125\"");
         pieces.push_back({static_cast<unsigned int>(count), size});
       }
     if (pieces.empty())
@@ -171,6 +172,7 @@ namespace myolines
     const scene::Node &control = time.section("control");
     if (control.text("type") == "fixed")
       return std::make_unique<Fixed>(std::move(plan));
-    return std::make_unique<CutBack>(std::move(plan), control.number("growth factor"), control.number("minimum step"), control.integer("maximum cuts"));
+    return std::make_unique<CutBack>(std::move(plan), control.number("growth factor"), control.number("minimum step"),
+                                     control.integer("maximum cuts"));
   }
 } // namespace myolines

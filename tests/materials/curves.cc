@@ -14,7 +14,8 @@ namespace myolines
   {
     using Function = curves::Curve<double> (*)(const double &);
 
-    const std::map<std::string, Function> table{{"sigA", &curves::active<double>}, {"sigP", &curves::passive<double>}, {"sigV", &curves::force_velocity<double>}};
+    const std::map<std::string, Function> table{
+        {"sigA", &curves::active<double>}, {"sigP", &curves::passive<double>}, {"sigV", &curves::force_velocity<double>}};
 
     TEST(Curves, EqualIndependentValues)
     {
@@ -53,10 +54,10 @@ namespace myolines
 
     TEST(Curves, PassiveEnergyIsTheIntegral)
     {
-      const auto integrand = [](const double s) { return curves::passive(s).value / s; };
-      double     sum       = 0;
-      const int  n         = 200000;
-      const double h       = 1.0 / n;
+      const auto   integrand = [](const double s) { return curves::passive(s).value / s; };
+      double       sum       = 0;
+      const int    n         = 200000;
+      const double h         = 1.0 / n;
       for (int i = 0; i < n; ++i)
         sum += h * integrand(1 + (i + 0.5) * h);
       EXPECT_NEAR(curves::passive_energy(2.0), sum, 1e-9);
@@ -69,9 +70,9 @@ namespace myolines
       for (const double lam : {0.71, 0.93, 1.07, 1.33, 1.62})
         for (const double e : {-0.7, -0.1, 0.021, 0.3})
           {
-            const auto g = [&](const double l, const double r) { return muscle_fibre<true, true>(fibre, 0.6, l, r).g; };
-            const double h = 1e-6;
-            const auto at  = muscle_fibre<true, true>(fibre, 0.6, lam, e);
+            const auto   g  = [&](const double l, const double r) { return muscle_fibre<true, true>(fibre, 0.6, l, r).g; };
+            const double h  = 1e-6;
+            const auto   at = muscle_fibre<true, true>(fibre, 0.6, lam, e);
             EXPECT_NEAR(at.g_stretch, (g(lam + h, e) - g(lam - h, e)) / (2 * h), 1e-3);
             EXPECT_NEAR(at.g_strain_rate, (g(lam, e + h) - g(lam, e - h)) / (2 * h), 1e-3);
           }

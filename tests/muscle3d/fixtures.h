@@ -33,7 +33,7 @@ namespace myolines::test
     p.n_points            = n_points;
     p.geometry.refinement = refinement;
     p.fibre_direction     = {{std::cos(0.5), 0.1, std::sin(0.5)}};
-    double length = 0;
+    double length         = 0;
     for (const double d : p.fibre_direction)
       length += d * d;
     for (double &d : p.fibre_direction)

@@ -75,8 +75,8 @@ namespace myolines
     {
       Matrix A;
       A[0][0] = 0.1, A[1][2] = 0.05, A[2][0] = -0.08;
-      const Matrix R    = rotation();
-      const Vector r    = force(affine(A, Arrow(), Matrix(), Arrow()));
+      const Matrix R      = rotation();
+      const Vector r      = force(affine(A, Arrow(), Matrix(), Arrow()));
       const Vector turned = force(affine(R * (one_ + A) - one_, Arrow({0.1, 0, 0}), Matrix(), Arrow()));
       double       worst  = 0;
       for (std::size_t i = 0; i < r.size() / 3; ++i)
@@ -101,13 +101,13 @@ namespace myolines
       Matrix A, B;
       A[0][0] = 0.1, A[1][2] = 0.05, A[2][0] = -0.08, A[2][2] = -0.04;
       B[0][0] = -0.4, B[0][1] = 0.3, B[2][2] = 0.2;
-      const State state = affine(A, Arrow(), B, Arrow());
-      const Vector r    = force(state);
+      const State           state = affine(A, Arrow(), B, Arrow());
+      const Vector          r     = force(state);
       std::set<std::size_t> on_boundary;
       for (unsigned int face = 0; face < 6; ++face)
         for (const auto node : system_.discretisation().space->face_nodes(face))
           on_boundary.insert(node);
-      double          interior = 0, boundary = 0;
+      double interior = 0, boundary = 0;
       for (std::size_t i = 0; i < r.size() / 3; ++i)
         for (unsigned int c = 0; c < 3; ++c)
           (on_boundary.count(i) ? boundary : interior) += r(3 * i + c) * r(3 * i + c);

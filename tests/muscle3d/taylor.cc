@@ -22,7 +22,12 @@ namespace myolines
 
     std::vector<Case> cases()
     {
-      return {{"q1", 1, 2}, {"q2", 2, 3}, {"q2_four_points", 2, 4}, {"q3", 3, 4}, {"quasi_static", 2, 3, false, true}, {"passive", 2, 3, true, false}};
+      return {{"q1", 1, 2},
+              {"q2", 2, 3},
+              {"q2_four_points", 2, 4},
+              {"q3", 3, 4},
+              {"quasi_static", 2, 3, false, true},
+              {"passive", 2, 3, true, false}};
     }
 
     class Taylor : public testing::TestWithParam<Case>
@@ -36,8 +41,8 @@ namespace myolines
         state_ = system_.initial_state(0);
         // A smooth deformation with det F from about 0.6 to 1.6, sheared, plus noise. The fibres shorten at a strain rate
         // between the knots -0.25 and 0 of the force-velocity curve, so that differences see smooth laws only.
-        const auto & space  = *system_.discretisation().space;
-        const auto & a0     = system_.parameters().fibre_direction;
+        const auto  &space    = *system_.discretisation().space;
+        const auto  &a0       = system_.parameters().fibre_direction;
         const double bulge[3] = {0.30, 0.18, 0.13}, size[3] = {0.032, 0.011, 0.012};
         const double factor = GetParam().degree == 1 ? 2. : 1.;
         for (const auto node : space.nodes().locally_owned_dofs())
@@ -107,11 +112,12 @@ namespace myolines
 
     TEST_P(Taylor, StatesCoverTheRange)
     {
-      const auto &                  d   = system_.discretisation();
+      const auto                   &d   = system_.discretisation();
       double                        low = 1e9, high = 0, slowest = -1e9, fastest = 1e9;
       dealii::AlignedVector<double> values(std::size_t(d.element.n_points) * n_point_values * n_lanes);
       const KernelModel             model = kernel_model(system_.parameters(), 0.7);
-      const dealii::Tensor<1, 3>    a0({system_.parameters().fibre_direction[0], system_.parameters().fibre_direction[1], system_.parameters().fibre_direction[2]});
+      const dealii::Tensor<1, 3>    a0(
+             {system_.parameters().fibre_direction[0], system_.parameters().fibre_direction[1], system_.parameters().fibre_direction[2]});
       for (unsigned int b = 0; b < d.batches->n_owned_batches(); ++b)
         {
           d.kernels.points(d.tables, model, d.kernel_cells(b), state_.u.begin(), state_.v.begin(), values.data(), d.scratch());
@@ -189,7 +195,7 @@ namespace myolines
             const auto linearisation = system.make_linearisation();
             system.linearise({0, Side::left, state_.u, state_.v, state_.a}, *linearisation);
             const WeightsByOrder weights = stage_weights(w.u, w.v, w.a);
-            const SparseMatrix & matrix  = linearisation->sparse(weights);
+            const SparseMatrix  &matrix  = linearisation->sparse(weights);
             Vector               x(state_.u), y(state_.u), z(state_.u), scale(state_.u);
             randomise(x, 1, 5);
             linearisation->apply(weights, x, y);
@@ -224,14 +230,15 @@ namespace myolines
             Muscle3dDiscretisation d(system_.parameters(), MPI_COMM_WORLD, set);
             dealii::GridTools::transform(distort, d.mesh);
             d.set_up(system_.parameters());
-            Vector            s(r);
+            Vector s(r);
             s                       = 0;
             const KernelModel model = kernel_model(system_.parameters(), GetParam().active ? 0.7 : 0);
             State             state = state_;
             for (Vector *x : {&state.u, &state.v, &state.a})
               x->update_ghost_values();
             for (unsigned int b = 0; b < d.batches->n_owned_batches(); ++b)
-              EXPECT_TRUE(d.kernels.residual(d.tables, model, d.kernel_cells(b), state.u.begin(), state.v.begin(), state.a.begin(), s.begin(), d.scratch()));
+              EXPECT_TRUE(d.kernels.residual(d.tables, model, d.kernel_cells(b), state.u.begin(), state.v.begin(), state.a.begin(),
+                                             s.begin(), d.scratch()));
             s.compress(dealii::VectorOperation::add);
             s -= r;
             EXPECT_LE(s.l2_norm(), 1e-12 * r.l2_norm());

@@ -85,9 +85,13 @@ TEST(Oscillator, linearisationPassesTheTaylorTestInEachOfKCM)
         }
       for (std::size_t k = 0; k + 1 < 4; ++k)
         if (w[2].u == 0)
-          EXPECT_LT(remainders[k], 1e-14) << "linear in v and a";
+          {
+            EXPECT_LT(remainders[k], 1e-14) << "linear in v and a";
+          }
         else
-          EXPECT_NEAR(std::log10(remainders[k] / remainders[k + 1]), 2, 0.12);
+          {
+            EXPECT_NEAR(std::log10(remainders[k] / remainders[k + 1]), 2, 0.12);
+          }
     }
 }
 
@@ -146,8 +150,9 @@ TEST(Oscillator, saysSoWhereItIsInadmissible)
 
 TEST(Oscillator, isReadFromAScene)
 {
-  const scene::Node          node       = scene::parse_scene("<ParameterList name=\"system\"></ParameterList>", oscillator_schema(), "test", ".",
-                                            {"mass=3", "damping=0.1", "stiffness=4", "cubic stiffness=5", "displacement=0.5", "velocity=-1", "force/type=sine"});
+  const scene::Node          node = scene::parse_scene("<ParameterList name=\"scene\"></ParameterList>", oscillator_schema(), "test", ".",
+                                                       {"mass=3", "damping=0.1", "stiffness=4", "cubic stiffness=5", "displacement=0.5",
+                                                        "velocity=-1", "force/type=sine", "force/amplitude=1", "force/frequency=2"});
   const OscillatorParameters parameters = read_oscillator(node);
   EXPECT_EQ(parameters.mass, 3);
   EXPECT_EQ(parameters.damping, 0.1);

@@ -18,9 +18,8 @@ namespace myolines::test
   {
   public:
     Folder()
-        : path(
-            std::filesystem::path(testing::TempDir())
-            / ("myolines_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" + std::to_string(getpid())))
+      : path(std::filesystem::path(testing::TempDir()) /
+             ("myolines_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" + std::to_string(getpid())))
     {
       std::filesystem::remove_all(path);
       std::filesystem::create_directories(path);
@@ -29,16 +28,14 @@ namespace myolines::test
     Folder(const Folder &)            = delete;
     Folder &operator=(const Folder &) = delete;
 
-    std::string
-    text(const std::string &file) const
+    std::string text(const std::string &file) const
     {
       std::ifstream stream(path / file);
       EXPECT_TRUE(stream.good()) << file;
       return std::string(std::istreambuf_iterator<char>(stream), {});
     }
 
-    std::vector<std::string>
-    lines(const std::string &file) const
+    std::vector<std::string> lines(const std::string &file) const
     {
       std::istringstream       stream(text(file));
       std::vector<std::string> all;
@@ -51,8 +48,7 @@ namespace myolines::test
   };
 
   /// The numbers of a line of a table.
-  inline std::vector<double>
-  numbers(const std::string &line)
+  inline std::vector<double> numbers(const std::string &line)
   {
     std::vector<double> all;
     std::istringstream  stream(line);

@@ -22,7 +22,7 @@ TEST(Manifest, NamesWhatMadeTheRun)
   EXPECT_EQ(manifest.at("command line"), "myolines run \"a scene.xml\"");
   EXPECT_EQ(manifest.at("exit reason"), "done");
   EXPECT_EQ(manifest.at("ranks"), 1);
-  for (const char *library : { "deal.II", "Trilinos" })
+  for (const char *library : {"deal.II", "Trilinos"})
     EXPECT_TRUE(std::regex_search(manifest.at("libraries").at(library).get<std::string>(), std::regex("^\\d+\\.\\d+"))) << library;
   EXPECT_FALSE(manifest.at("libraries").at("MPI").get<std::string>().empty());
   EXPECT_TRUE(manifest.at("host").contains("CPU"));
@@ -42,7 +42,7 @@ TEST(Ledger, CountsAndSeconds)
   ledger.add_seconds("assembly", 0.25);
   write_ledger(folder.path, ledger);
   const nlohmann::json json = nlohmann::json::parse(folder.text("ledger.json"));
-  EXPECT_EQ(json, nlohmann::json::parse(R "({" counts ": {" residual evaluations ": 12}, " seconds ": {" assembly ": 0.25}})"));
+  EXPECT_EQ(json, nlohmann::json::parse(R"({"counts": {"residual evaluations": 12}, "seconds": {"assembly": 0.25}})"));
 }
 
 TEST(Ledger, EmptyLedgerIsStillAnObject)

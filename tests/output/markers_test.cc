@@ -8,23 +8,20 @@ using namespace myolines;
 
 namespace
 {
-  scene::Node
-  marker_scene(const std::string &parameters, const std::filesystem::path &folder = ".")
+  scene::Node marker_scene(const std::string &parameters, const std::filesystem::path &folder = ".")
   {
     scene::Schema schema("markers");
     add_marker_parameters(schema);
     return scene::parse_scene("<ParameterList name=\"scene\">" + parameters + "</ParameterList>", schema, "scene.xml", folder);
   }
 
-  std::string
-  parameter(const std::string &name, const std::string &value)
+  std::string parameter(const std::string &name, const std::string &value)
   {
     return "<Parameter name=\"" + name + "\" type=\"string\" value=\"" + value + "\"/>";
   }
 
   /// The complaint about a list of markers; "" if it was accepted.
-  std::string
-  complaint(const std::string &markers)
+  std::string complaint(const std::string &markers)
   {
     try
       {
@@ -37,8 +34,7 @@ namespace
     return "";
   }
 
-  scene::Node
-  field_scene(const std::string &what)
+  scene::Node field_scene(const std::string &what)
   {
     scene::Schema schema("fields");
     schema.text("what", "displacement", "names");
@@ -46,10 +42,7 @@ namespace
   }
 } // namespace
 
-TEST(Markers, NoneUnlessAskedFor)
-{
-  EXPECT_TRUE(read_markers(marker_scene("")).empty());
-}
+TEST(Markers, NoneUnlessAskedFor) { EXPECT_TRUE(read_markers(marker_scene("")).empty()); }
 
 TEST(Markers, FromText)
 {
@@ -76,7 +69,7 @@ TEST(Markers, FromAFileInThePeersFormat)
 
 TEST(Markers, RefusesWhatIsNotAMarker)
 {
-  for (const char *bad : { "p1 0 0", "p1 0 0 zero", "p1 0 0 0 0", "p1 0,1 0 0", "p1 nan 0 0", "p1 0 inf 0", ";", "p1 0 0 0; p1 0 0 1" })
+  for (const char *bad : {"p1 0 0", "p1 0 0 zero", "p1 0 0 0 0", "p1 0,1 0 0", "p1 nan 0 0", "p1 0 inf 0", ";", "p1 0 0 0; p1 0 0 1"})
     {
       const std::string text = complaint(bad);
       EXPECT_NE(text.find("scene.xml"), std::string::npos) << bad << " -> " << text;
@@ -98,17 +91,17 @@ TEST(Markers, RefusesTwoSources)
 
 TEST(FieldNames, SeparatedByCommas)
 {
-  const std::vector<std::string> known{ "displacement", "fibre stretch", "pressure" };
+  const std::vector<std::string> known{"displacement", "fibre stretch", "pressure"};
   EXPECT_EQ(read_field_names(field_scene("fibre stretch , displacement"), known),
-            (std::vector<std::string>{ "fibre stretch", "displacement" }));
-  EXPECT_EQ(read_field_names(field_scene("pressure,pressure"), known), (std::vector<std::string>{ "pressure" }));
+            (std::vector<std::string>{"fibre stretch", "displacement"}));
+  EXPECT_EQ(read_field_names(field_scene("pressure,pressure"), known), (std::vector<std::string>{"pressure"}));
 }
 
 TEST(FieldNames, UnknownNameGetsTheNearest)
 {
   try
     {
-      read_field_names(field_scene("displacement, presure"), { "displacement", "pressure" });
+      read_field_names(field_scene("displacement, presure"), {"displacement", "pressure"});
       FAIL() << "an unknown field was accepted";
     }
   catch (const InputError &error)
@@ -119,7 +112,7 @@ TEST(FieldNames, UnknownNameGetsTheNearest)
 
 TEST(FieldNames, CollectionListsFilesWithTheirTimes)
 {
-  EXPECT_EQ(pvd_text({ { 0, "fields-0000.vtu" }, { 0.025, "fields-0001.vtu" } }),
+  EXPECT_EQ(pvd_text({{0, "fields-0000.vtu"}, {0.025, "fields-0001.vtu"}}),
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n"
             "    <DataSet timestep=\"0\" group=\"\" part=\"0\" file=\"fields-0000.vtu\"/>\n"
             "    <DataSet timestep=\"0.025\" group=\"\" part=\"0\" file=\"fields-0001.vtu\"/>\n"

@@ -11,37 +11,19 @@ namespace
   class Ramp : public Drive
   {
   public:
-    double
-    value(const double t, Side) const override
-    {
-      return t;
-    }
-    double
-    first_derivative(double, Side) const override
-    {
-      return 1;
-    }
-    double
-    second_derivative(double, Side) const override
-    {
-      return 0;
-    }
-    std::vector<double>
-    kinks(double, double) const override
-    {
-      return {};
-    }
+    double              value(const double t, Side) const override { return t; }
+    double              first_derivative(double, Side) const override { return 1; }
+    double              second_derivative(double, Side) const override { return 0; }
+    std::vector<double> kinks(double, double) const override { return {}; }
   };
 
-  scene::Node
-  output_scene(const std::string &series)
+  scene::Node output_scene(const std::string &series)
   {
     return scene::parse_scene("<ParameterList name=\"scene\"><ParameterList name=\"series\">" + series + "</ParameterList></ParameterList>",
                               oscillator_output_schema());
   }
 
-  StepRecord
-  step(const std::size_t number)
+  StepRecord step(const std::size_t number)
   {
     StepRecord record;
     record.number = number;
@@ -71,8 +53,8 @@ TEST(OscillatorTrajectory, RowsOfTheStatesSeen)
   ASSERT_EQ(lines.size(), 4u); // header, start, steps 2 and 4
   EXPECT_EQ(lines[0], "Time [s],Displacement [m],Velocity [m/s],Acceleration [m/s^2]");
   EXPECT_EQ(test::numbers(lines[1])[1], 1); // the default start, u(0) = 1 m
-  EXPECT_EQ(test::numbers(lines[2]), (std::vector<double>{ 0.2, 0.5, -4, 6 }));
-  EXPECT_EQ(test::numbers(lines[3]), (std::vector<double>{ 0.4, 0.25, -8, 12 }));
+  EXPECT_EQ(test::numbers(lines[2]), (std::vector<double>{0.2, 0.5, -4, 6}));
+  EXPECT_EQ(test::numbers(lines[3]), (std::vector<double>{0.4, 0.25, -8, 12}));
 }
 
 TEST(OscillatorTrajectory, SupportForceBalancesSpringAndDamper)

@@ -7,8 +7,7 @@ using namespace myolines;
 
 namespace
 {
-  StepRecord
-  record(const std::size_t number, const double t, const double dt)
+  StepRecord record(const std::size_t number, const double t, const double dt)
   {
     StepRecord step;
     step.number                   = number;
@@ -21,8 +20,7 @@ namespace
     return step;
   }
 
-  StepRecord
-  rejected(const std::size_t number, const double t, const double dt)
+  StepRecord rejected(const std::size_t number, const double t, const double dt)
   {
     StepRecord step     = record(number, t, dt);
     step.report.outcome = StepReport::Outcome::inadmissible;

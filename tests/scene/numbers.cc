@@ -24,7 +24,8 @@ TEST(Numbers, FormatIsExactAndShort)
   EXPECT_EQ(format_number(0.1), "0.1");
   EXPECT_EQ(format_number(200000), "200000");
   EXPECT_EQ(format_number(1e7), "1e+07");
-  for (const double value : {1. / 3, 0.1 + 0.2, 1e-300, std::numeric_limits<double>::max(), std::numeric_limits<double>::denorm_min(), -0.1990559575103343})
+  for (const double value :
+       {1. / 3, 0.1 + 0.2, 1e-300, std::numeric_limits<double>::max(), std::numeric_limits<double>::denorm_min(), -0.1990559575103343})
     EXPECT_EQ(parse_number(format_number(value)).value_or(0), value);
 }
 

@@ -13,7 +13,8 @@ namespace
   {
     Schema constant("Constant."), sine("Sine.");
     constant.number("value", 0, "-", Range::any(), "Value.");
-    sine.number("frequency", std::nullopt, "Hz", Range::positive(), "Frequency.").section("window", Schema("Window.").number("width", 2, "s", Range::positive(), "Width."));
+    sine.number("frequency", std::nullopt, "Hz", Range::positive(), "Frequency.")
+        .section("window", Schema("Window.").number("width", 2, "s", Range::positive(), "Width."));
     return Schema("Drive.").variant("type", "constant", {{"constant", constant}, {"sine", sine}}, "Type of drive.");
   }
 
@@ -23,16 +24,16 @@ namespace
     condition.choice("face", std::nullopt, {"left", "right"}, "Face.").section("strain", drive());
     Schema body("Body.");
     body.number("length", 0.03, "m", Range::positive(), "Length.")
-      .integer("degree", 2, Range::closed(1, 3), "Degree.")
-      .boolean("dynamic", true, "Inertia.")
-      .choice("shape", "block", {"block", "cylinder"}, "Shape.");
+        .integer("degree", 2, Range::closed(1, 3), "Degree.")
+        .boolean("dynamic", true, "Inertia.")
+        .choice("shape", "block", {"block", "cylinder"}, "Shape.");
     return Schema("Root.")
-      .text("title", "untitled", "Title.")
-      .optional_number("seed", "-", Range::any(), "Seed.")
-      .optional_file("table", "A table.")
-      .section("body", body)
-      .optional_section("activation", drive())
-      .section("boundary", Schema("Conditions.").named_sections(condition));
+        .text("title", "untitled", "Title.")
+        .optional_number("seed", "-", Range::any(), "Seed.")
+        .optional_file("table", "A table.")
+        .section("body", body)
+        .optional_section("activation", drive())
+        .section("boundary", Schema("Conditions.").named_sections(condition));
   }
 
   std::string parameter(const std::string &name, const std::string &type, const std::string &value)
@@ -40,7 +41,10 @@ namespace
     return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>\n";
   }
 
-  std::string sublist(const std::string &name, const std::string &contents) { return "<ParameterList name=\"" + name + "\">\n" + contents + "</ParameterList>\n"; }
+  std::string sublist(const std::string &name, const std::string &contents)
+  {
+    return "<ParameterList name=\"" + name + "\">\n" + contents + "</ParameterList>\n";
+  }
 
   Node read(const std::string &contents, const std::vector<std::string> &overrides = {})
   {
@@ -76,10 +80,11 @@ TEST(Scene, DefaultsStandWhereNothingIsWritten)
 
 TEST(Scene, ReadsWhatIsWritten)
 {
-  const Node node = read(parameter("seed", "int", "7") + sublist("body", parameter("length", "double", " 1e-2 ") + parameter("dynamic", "bool", "false")) +
+  const Node node = read(parameter("seed", "int", "7") +
+                         sublist("body", parameter("length", "double", " 1e-2 ") + parameter("dynamic", "bool", "false")) +
                          sublist("activation", parameter("type", "string", "sine") + parameter("frequency", "double", "3")) +
-                         sublist("boundary", sublist("moving end", parameter("face", "string", "right")) + sublist("b", parameter("face", "string", "left"))
-                                 + "<!-- comment -->"));
+                         sublist("boundary", sublist("moving end", parameter("face", "string", "right")) +
+                                                 sublist("b", parameter("face", "string", "left")) + "<!-- comment -->"));
   EXPECT_EQ(node.number("seed"), 7) << "an int serves where a number is declared";
   EXPECT_EQ(node.section("body").number("length"), 1e-2);
   EXPECT_TRUE(node.section("body").written("length"));
@@ -112,7 +117,8 @@ struct Mistake
 };
 
 class Mistakes : public testing::TestWithParam<Mistake>
-{};
+{
+};
 
 TEST_P(Mistakes, AreNamedWithTheirPlaceAndRemedy)
 {
@@ -128,44 +134,56 @@ TEST_P(Mistakes, AreNamedWithTheirPlaceAndRemedy)
 const std::string face = parameter("face", "string", "left");
 
 INSTANTIATE_TEST_SUITE_P(
-  All, Mistakes,
-  testing::Values(
-    Mistake{"misspelt", sublist("body", parameter("lenght", "double", "1")), "body/lenght", "unknown parameter \"lenght\"", "", "\"length\""},
-    Mistake{"unknown_list", sublist("bodi", ""), "bodi", "unknown list \"bodi\"", "", "\"body\""},
-    Mistake{"unknown_root", parameter("titel", "string", "x"), "titel", "unknown parameter", "", "\"title\""},
-    Mistake{"duplicate", sublist("body", parameter("length", "double", "1") + parameter("length", "double", "1")), "body/length", "duplicate", "", ""},
-    Mistake{"duplicate_list", sublist("body", "") + sublist("body", ""), "body", "duplicate", "", ""},
-    Mistake{"duplicate_condition", sublist("boundary", sublist("end", face) + sublist("end", face)), "boundary/end", "duplicate", "", ""},
-    Mistake{"parameter_as_list", sublist("title", ""), "title", "written as a list", "a parameter", ""},
-    Mistake{"list_as_parameter", parameter("body", "string", "x"), "body", "written as a parameter", "a list", ""},
-    Mistake{"text_for_number", sublist("body", parameter("length", "double", "abc")), "body/length", "\"abc\" is not a finite number", "[m] > 0", ""},
-    Mistake{"trailing_text", sublist("body", parameter("length", "double", "1 mm")), "body/length", "\"1 mm\"", "[m] > 0", ""},
-    Mistake{"empty_number", sublist("body", parameter("length", "double", "")), "body/length", "\"\" is not a finite number", "", ""},
-    Mistake{"nan", sublist("body", parameter("length", "double", "nan")), "body/length", "\"nan\"", "", ""},
-    Mistake{"inf", sublist("body", parameter("length", "double", "inf")), "body/length", "\"inf\"", "", ""},
-    Mistake{"overflow", sublist("body", parameter("length", "double", "1e999")), "body/length", "\"1e999\"", "", ""},
-    Mistake{"zero", sublist("body", parameter("length", "double", "0")), "body/length", "0 is out of range", "> 0", ""},
-    Mistake{"integer_range", sublist("body", parameter("degree", "int", "4")), "body/degree", "4 is out of range", "in [1, 3]", ""},
-    Mistake{"fraction", sublist("body", parameter("degree", "int", "1.5")), "body/degree", "\"1.5\" is not an integer", "", ""},
-    Mistake{"wrong_type", sublist("body", parameter("degree", "double", "2")), "body/degree", "type=\"double\"", "type=\"int\"", ""},
-    Mistake{"string_for_number", sublist("body", parameter("length", "string", "1")), "body/length", "type=\"string\"", "type=\"double\"", ""},
-    Mistake{"boolean", sublist("body", parameter("dynamic", "bool", "yes")), "body/dynamic", "\"yes\"", "true or false", ""},
-    Mistake{"choice", sublist("body", parameter("shape", "string", "blok")), "body/shape", "\"blok\"", "block, cylinder", "\"block\""},
-    Mistake{"variant", sublist("activation", parameter("type", "string", "sinus") + parameter("frequency", "double", "1")), "activation/type", "\"sinus\"", "constant, sine", "\"sine\""},
-    Mistake{"other_alternative", sublist("activation", parameter("frequency", "double", "1")), "activation/frequency", "does not apply", "", "\"sine\""},
-    Mistake{"missing", sublist("activation", parameter("type", "string", "sine")), "activation/frequency", "missing parameter", "[Hz] > 0", "Frequency."},
-    Mistake{"missing_in_condition", sublist("boundary", sublist("end", "")), "boundary/end/face", "missing parameter", "left, right", ""},
-    Mistake{"slash_in_name", sublist("boundary", sublist("a/b", face)), "boundary/a/b", "slash", "", ""},
-    Mistake{"missing_file", parameter("table", "string", "nowhere.dat"), "table", "there is no file", "relative to the scene", ""},
-    Mistake{"folder_for_file", parameter("table", "string", "."), "table", "there is no file", "", ""},
-    Mistake{"stray_text", sublist("body", "length = 3"), "body", "stray text \"length = 3\"", "", ""},
-    Mistake{"unknown_element", "<Paramter name=\"title\"/>", "root", "<Paramter>", "<Parameter>", ""},
-    Mistake{"no_value", "<Parameter name=\"title\" type=\"string\"/>", "title", "without attribute \"value\"", "", ""},
-    Mistake{"no_type", "<Parameter name=\"title\" value=\"x\"/>", "title", "without attribute \"type\"", "", ""},
-    Mistake{"no_name", "<Parameter type=\"string\" value=\"x\"/>", "root", "without attribute \"name\"", "", ""},
-    Mistake{"extra_attribute", "<Parameter name=\"title\" type=\"string\" value=\"x\" unit=\"m\"/>", "title", "unknown attribute", "name, type, value", ""},
-    Mistake{"element_in_parameter", "<Parameter name=\"title\" type=\"string\" value=\"x\"><Parameter name=\"title\" type=\"string\" value=\"x\"/></Parameter>", "title", "inside", "", ""}),
-  [](const auto &info) { return info.param.name; });
+    All, Mistakes,
+    testing::Values(
+        Mistake{"misspelt", sublist("body", parameter("lenght", "double", "1")), "body/lenght", "unknown parameter \"lenght\"", "",
+                "\"length\""},
+        Mistake{"unknown_list", sublist("bodi", ""), "bodi", "unknown list \"bodi\"", "", "\"body\""},
+        Mistake{"unknown_root", parameter("titel", "string", "x"), "titel", "unknown parameter", "", "\"title\""},
+        Mistake{"duplicate", sublist("body", parameter("length", "double", "1") + parameter("length", "double", "1")), "body/length",
+                "duplicate", "", ""},
+        Mistake{"duplicate_list", sublist("body", "") + sublist("body", ""), "body", "duplicate", "", ""},
+        Mistake{"duplicate_condition", sublist("boundary", sublist("end", face) + sublist("end", face)), "boundary/end", "duplicate", "",
+                ""},
+        Mistake{"parameter_as_list", sublist("title", ""), "title", "written as a list", "a parameter", ""},
+        Mistake{"list_as_parameter", parameter("body", "string", "x"), "body", "written as a parameter", "a list", ""},
+        Mistake{"text_for_number", sublist("body", parameter("length", "double", "abc")), "body/length", "\"abc\" is not a finite number",
+                "[m] > 0", ""},
+        Mistake{"trailing_text", sublist("body", parameter("length", "double", "1 mm")), "body/length", "\"1 mm\"", "[m] > 0", ""},
+        Mistake{"empty_number", sublist("body", parameter("length", "double", "")), "body/length", "\"\" is not a finite number", "", ""},
+        Mistake{"nan", sublist("body", parameter("length", "double", "nan")), "body/length", "\"nan\"", "", ""},
+        Mistake{"inf", sublist("body", parameter("length", "double", "inf")), "body/length", "\"inf\"", "", ""},
+        Mistake{"overflow", sublist("body", parameter("length", "double", "1e999")), "body/length", "\"1e999\"", "", ""},
+        Mistake{"zero", sublist("body", parameter("length", "double", "0")), "body/length", "0 is out of range", "> 0", ""},
+        Mistake{"integer_range", sublist("body", parameter("degree", "int", "4")), "body/degree", "4 is out of range", "in [1, 3]", ""},
+        Mistake{"fraction", sublist("body", parameter("degree", "int", "1.5")), "body/degree", "\"1.5\" is not an integer", "", ""},
+        Mistake{"wrong_type", sublist("body", parameter("degree", "double", "2")), "body/degree", "type=\"double\"", "type=\"int\"", ""},
+        Mistake{"string_for_number", sublist("body", parameter("length", "string", "1")), "body/length", "type=\"string\"",
+                "type=\"double\"", ""},
+        Mistake{"boolean", sublist("body", parameter("dynamic", "bool", "yes")), "body/dynamic", "\"yes\"", "true or false", ""},
+        Mistake{"choice", sublist("body", parameter("shape", "string", "blok")), "body/shape", "\"blok\"", "block, cylinder", "\"block\""},
+        Mistake{"variant", sublist("activation", parameter("type", "string", "sinus") + parameter("frequency", "double", "1")),
+                "activation/type", "\"sinus\"", "constant, sine", "\"sine\""},
+        Mistake{"other_alternative", sublist("activation", parameter("frequency", "double", "1")), "activation/frequency", "does not apply",
+                "", "\"sine\""},
+        Mistake{"missing", sublist("activation", parameter("type", "string", "sine")), "activation/frequency", "missing parameter",
+                "[Hz] > 0", "Frequency."},
+        Mistake{"missing_in_condition", sublist("boundary", sublist("end", "")), "boundary/end/face", "missing parameter", "left, right",
+                ""},
+        Mistake{"slash_in_name", sublist("boundary", sublist("a/b", face)), "boundary/a/b", "slash", "", ""},
+        Mistake{"missing_file", parameter("table", "string", "nowhere.dat"), "table", "there is no file", "relative to the scene", ""},
+        Mistake{"folder_for_file", parameter("table", "string", "."), "table", "there is no file", "", ""},
+        Mistake{"stray_text", sublist("body", "length = 3"), "body", "stray text \"length = 3\"", "", ""},
+        Mistake{"unknown_element", "<Paramter name=\"title\"/>", "root", "<Paramter>", "<Parameter>", ""},
+        Mistake{"no_value", "<Parameter name=\"title\" type=\"string\"/>", "title", "without attribute \"value\"", "", ""},
+        Mistake{"no_type", "<Parameter name=\"title\" value=\"x\"/>", "title", "without attribute \"type\"", "", ""},
+        Mistake{"no_name", "<Parameter type=\"string\" value=\"x\"/>", "root", "without attribute \"name\"", "", ""},
+        Mistake{"extra_attribute", "<Parameter name=\"title\" type=\"string\" value=\"x\" unit=\"m\"/>", "title", "unknown attribute",
+                "name, type, value", ""},
+        Mistake{"element_in_parameter",
+                "<Parameter name=\"title\" type=\"string\" value=\"x\"><Parameter name=\"title\" type=\"string\" value=\"x\"/></Parameter>",
+                "title", "inside", "", ""}),
+    [](const auto &info) { return info.param.name; });
 
 TEST(Scene, AllProblemsAreCollected)
 {
@@ -178,8 +196,9 @@ TEST(Scene, AllProblemsAreCollected)
 
 TEST(Scene, MalformedDocumentsAreRefused)
 {
-  for (const std::string xml : {"", "text", "<ParameterList name=\"scene\">", "<ParameterList name=\"scene\"></Parameter>", "<ParameterList name=\"scene\"/><a/>",
-                                "<ParameterList name=\"study\"/>", "<ParameterList/>", "<scene/>", "<ParameterList name=\"scene\"><Parameter name=\"title\" name=\"b\"/></ParameterList>"})
+  for (const std::string xml : {"", "text", "<ParameterList name=\"scene\">", "<ParameterList name=\"scene\"></Parameter>",
+                                "<ParameterList name=\"scene\"/><a/>", "<ParameterList name=\"study\"/>", "<ParameterList/>", "<scene/>",
+                                "<ParameterList name=\"scene\"><Parameter name=\"title\" name=\"b\"/></ParameterList>"})
     EXPECT_EQ(problems_of([&] { parse_scene(xml, root()); }).size(), 1u) << xml;
   EXPECT_EQ(problems_of([] { read_scene("no such scene.xml", root()); }).size(), 1u);
   EXPECT_EQ(problems_of([] { read_scene(".", root()); }).size(), 1u);
@@ -187,8 +206,8 @@ TEST(Scene, MalformedDocumentsAreRefused)
 
 TEST(Scene, OverridesReplaceAndCreate)
 {
-  const Node node = read(sublist("boundary", sublist("moving end", face)),
-                         {"body/length=2e-2", "title=a=b", "activation/type=sine", "activation/frequency=4", "boundary/moving end/face=right"});
+  const Node node = read(sublist("boundary", sublist("moving end", face)), {"body/length=2e-2", "title=a=b", "activation/type=sine",
+                                                                            "activation/frequency=4", "boundary/moving end/face=right"});
   EXPECT_EQ(node.section("body").number("length"), 2e-2);
   EXPECT_EQ(node.text("title"), "a=b");
   EXPECT_EQ(node.section("activation").number("frequency"), 4);
@@ -208,17 +227,19 @@ TEST(Scene, WrongOverridesAreRefused)
     {
       const auto problems = problems_of([&, t = text] { read(sublist("boundary", sublist("moving end", face)), {t}); });
       ASSERT_EQ(problems.size(), 1u) << text;
-      EXPECT_NE((problems[0].expected + problems[0].hint).find(fragment), std::string::npos) << text << ": " << problems[0].expected << problems[0].hint;
+      EXPECT_NE((problems[0].expected + problems[0].hint).find(fragment), std::string::npos)
+          << text << ": " << problems[0].expected << problems[0].hint;
     }
 }
 
 TEST(Scene, TextSurvivesResolving)
 {
-  const std::string title = "\"quotes\" & 'more' <tags> > &amp; \xc3\xa9\n\tnew line";
+  const std::string title  = "\"quotes\" & 'more' <tags> > &amp; \xc3\xa9\n\tnew line";
   const Schema      schema = root();
-  const Node        node   = compose_scene(schema, {{"title", title}, {"boundary/a & <b>/face", "left"}, {"activation/type", "sine"}, {"activation/frequency", "0.1"}});
-  const std::string xml    = resolved_xml(node);
-  const Node        again  = parse_scene(xml, schema);
+  const Node        node   = compose_scene(
+               schema, {{"title", title}, {"boundary/a & <b>/face", "left"}, {"activation/type", "sine"}, {"activation/frequency", "0.1"}});
+  const std::string xml   = resolved_xml(node);
+  const Node        again = parse_scene(xml, schema);
   EXPECT_EQ(again.text("title"), title);
   EXPECT_EQ(again.section("boundary").named()[0].name(), "a & <b>");
   EXPECT_EQ(resolved_xml(again), xml);
@@ -244,8 +265,9 @@ TEST(Scene, FilesAreFoundBesideTheSceneAndResolvedAbsolute)
 TEST(Scene, TemplateIsACompleteValidScene)
 {
   const Schema      schema = root();
-  const std::string xml    = template_xml(schema, {{"boundary/end/face", "left"}, {"boundary/end/strain/type", "sine"}, {"boundary/end/strain/frequency", "2"}});
-  const Node        node   = parse_scene(xml, schema);
+  const std::string xml =
+      template_xml(schema, {{"boundary/end/face", "left"}, {"boundary/end/strain/type", "sine"}, {"boundary/end/strain/frequency", "2"}});
+  const Node node = parse_scene(xml, schema);
   EXPECT_EQ(node.section("boundary").named()[0].section("strain").number("frequency"), 2);
   EXPECT_TRUE(node.section("body").written("degree")) << "defaults are spelt out";
   EXPECT_NE(xml.find("a number [m] > 0; default 0.03. Length."), std::string::npos);
@@ -256,6 +278,7 @@ TEST(Scene, TemplateIsACompleteValidScene)
 TEST(Scene, DescriptionNamesEverything)
 {
   const std::string text = describe(root());
-  for (const std::string word : {"title", "seed", "table", "length", "[m] > 0; default 0.03", "degree", "block, cylinder", "activation/", "type = sine", "frequency", "window/", "face", "required", "optional"})
+  for (const std::string word : {"title", "seed", "table", "length", "[m] > 0; default 0.03", "degree", "block, cylinder", "activation/",
+                                 "type = sine", "frequency", "window/", "face", "required", "optional"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
 }

@@ -47,7 +47,8 @@ namespace
     double       error;
   };
 
-  Result solve(Solvers &solvers, DenseLinearisation &matrix, const Constraints &constraints, const unsigned int n, const bool symmetric, const double tolerance)
+  Result solve(Solvers &solvers, DenseLinearisation &matrix, const Constraints &constraints, const unsigned int n, const bool symmetric,
+               const double tolerance)
   {
     const Vector exact = wavy(n);
     Vector       b(exact), x(exact);
@@ -59,7 +60,8 @@ namespace
 } // namespace
 
 class EachPreconditioner : public ::testing::TestWithParam<std::string>
-{};
+{
+};
 
 TEST_P(EachPreconditioner, solvesSymmetricAndNonSymmetricSystems)
 {
@@ -95,9 +97,7 @@ TEST_P(EachPreconditioner, fallsBackToGmresOnAnIndefiniteMatrix)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(registry,
-                         EachPreconditioner,
-                         ::testing::ValuesIn([] {
+INSTANTIATE_TEST_SUITE_P(registry, EachPreconditioner, ::testing::ValuesIn([] {
                            std::vector<std::string> names;
                            for (const PreconditionerEntry &entry : preconditioner_registry())
                              names.push_back(entry.name);
@@ -185,8 +185,9 @@ TEST(LinearSolver, saysWhyItFailed)
   }
   {
     Solvers            solvers({}, {}, {"type=direct"});
-    DenseLinearisation matrix(2, [](unsigned int, unsigned int) { return 1.; }, none, 2); // singular
-    Vector             b = serial_vector(2), x = serial_vector(2);
+    DenseLinearisation matrix(
+        2, [](unsigned int, unsigned int) { return 1.; }, none, 2); // singular
+    Vector b = serial_vector(2), x = serial_vector(2);
     b(0)                      = 1;
     const LinearReport report = solvers.linear.solve(matrix, weights, none, false, b, x, 1e-10);
     EXPECT_FALSE(report.converged);
@@ -196,8 +197,8 @@ TEST(LinearSolver, saysWhyItFailed)
 
 TEST(LinearSolver, multilevelIsReproducible)
 {
-  const unsigned int width = 40, n = width * width;
-  const Constraints  none;
+  const unsigned int  width = 40, n = width * width;
+  const Constraints   none;
   std::vector<double> first;
   for (unsigned int run = 0; run < 2; ++run)
     {
@@ -210,5 +211,22 @@ TEST(LinearSolver, multilevelIsReproducible)
         first = values;
       else
         EXPECT_EQ(values, first);
+    }
+}
+
+TEST(LinearSolver, outlivesTheMatricesItWorkedOn)
+{
+  // Both factorisations and hierarchies look at their matrix while they are destroyed.
+  const Constraints none;
+  for (const char *type : {"direct", "ml"})
+    {
+      Solvers solvers({}, {}, {std::string("type=") + type});
+      {
+        DenseLinearisation matrix(900, grid_operator(30), none, 30);
+        EXPECT_TRUE(solve(solvers, matrix, none, 900, true, 1e-8).report.converged);
+      }
+      solvers.linear.forget();
+      DenseLinearisation matrix(1600, grid_operator(40, 0.2), none, 40);
+      EXPECT_TRUE(solve(solvers, matrix, none, 1600, false, 1e-8).report.converged) << type;
     }
 }

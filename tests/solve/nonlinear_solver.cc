@@ -26,7 +26,8 @@ namespace
 
     explicit SmallProblem(const unsigned int size)
       : size_(size)
-      , matrix_(size, [](unsigned int, unsigned int) { return 0.; }, relations, size)
+      , matrix_(
+            size, [](unsigned int, unsigned int) { return 0.; }, relations, size)
     {}
 
     const Constraints &constraints() const override { return relations; }
@@ -55,7 +56,7 @@ namespace
       matrix_.set([entries](const unsigned int i, const unsigned int j) { return entries[i][j]; });
     }
 
-    Linearisation &       linearisation() override { return matrix_; }
+    Linearisation        &linearisation() override { return matrix_; }
     const WeightsByOrder &weights() const override { return weights_; }
     bool                  symmetric() const override { return false; }
 
@@ -198,9 +199,9 @@ TEST(NonlinearSolver, liftsPrescribedUnknowns)
 TEST(NonlinearSolver, reappliesTheLiftThatADampedStepLeft)
 {
   // The spring between 0 and 1 stiffens without bound at a stretch of 0.25: the full lift of 0.8 is inadmissible at first.
-  const auto force = [](double s) { return std::abs(s) < 0.25 ? s / (0.0625 - s * s) : std::numeric_limits<double>::quiet_NaN(); };
-  const auto slope = [](double s) { return (0.0625 + s * s) / ((0.0625 - s * s) * (0.0625 - s * s)); };
-  Solvers    solvers(tight);
+  const auto   force = [](double s) { return std::abs(s) < 0.25 ? s / (0.0625 - s * s) : std::numeric_limits<double>::quiet_NaN(); };
+  const auto   slope = [](double s) { return (0.0625 + s * s) / ((0.0625 - s * s) * (0.0625 - s * s)); };
+  Solvers      solvers(tight);
   SmallProblem problem(2);
   problem.f        = [=](const Values &x) { return Values{force(x[0] - x[1]) + 40 * x[0], force(x[1] - x[0])}; };
   problem.jacobian = [=](const Values &x) {
@@ -222,10 +223,10 @@ TEST(NonlinearSolver, condensesRelationsBetweenUnknowns)
 {
   // Unknown 2 = (x0 + x1)/2 + 0.1 and a cubic energy in all three: compare with the condensed problem in two unknowns,
   // solved by its optimality conditions.
-  const auto energy_slope = [](double x, double a) { return x * x * x + x - a; };
-  Solvers    solvers(tight);
+  const auto   energy_slope = [](double x, double a) { return x * x * x + x - a; };
+  Solvers      solvers(tight);
   SmallProblem problem(3);
-  problem.f = [=](const Values &x) { return Values{energy_slope(x[0], 1), energy_slope(x[1], -2), energy_slope(x[2], 3)}; };
+  problem.f        = [=](const Values &x) { return Values{energy_slope(x[0], 1), energy_slope(x[1], -2), energy_slope(x[2], 3)}; };
   problem.jacobian = [](const Values &x) {
     return std::vector<Values>{{3 * x[0] * x[0] + 1, 0, 0}, {0, 3 * x[1] * x[1] + 1, 0}, {0, 0, 3 * x[2] * x[2] + 1}};
   };

@@ -44,7 +44,7 @@ namespace myolines::testing
     /// C^T K C, one entry after the other through the list of (free unknown, weight) that each unknown stands for.
     const SparseMatrix &sparse(const WeightsByOrder &weights) override
     {
-      dealii::DynamicSparsityPattern pattern(size_, size_);
+      dealii::DynamicSparsityPattern                          pattern(size_, size_);
       std::map<std::pair<unsigned int, unsigned int>, double> values;
       for (unsigned int i = 0; i < size_; ++i)
         {

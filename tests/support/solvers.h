@@ -18,8 +18,10 @@ namespace myolines::testing
   /// The solvers as a scene with these entries makes them.
   struct Solvers
   {
-    explicit Solvers(const Overrides &nonlinear_entries = {}, const Overrides &linear_entries = {}, const Overrides &preconditioner_entries = {})
-      : linear(node(LinearSolver::linear_schema(), linear_entries), node(LinearSolver::preconditioner_schema(), preconditioner_entries), ledger)
+    explicit Solvers(const Overrides &nonlinear_entries = {}, const Overrides &linear_entries = {},
+                     const Overrides &preconditioner_entries = {})
+      : linear(node(LinearSolver::linear_schema(), linear_entries), node(LinearSolver::preconditioner_schema(), preconditioner_entries),
+               ledger)
       , nonlinear(node(NonlinearSolver::schema(), nonlinear_entries), linear, ledger)
     {}
 

@@ -11,12 +11,12 @@ namespace
 {
   using Settings = std::vector<scene::Setting>;
 
-  std::unique_ptr<Drive> drive(const Settings &settings)
-  {
-    return make_drive(scene::compose_scene(drive_schema("strain", "-"), settings));
-  }
+  std::unique_ptr<Drive> drive(const Settings &settings) { return make_drive(scene::compose_scene(drive_schema("strain", "-"), settings)); }
 
-  std::unique_ptr<Drive> points(const std::string &text, const std::string &type = "control points") { return drive({{"type", type}, {"points", text}}); }
+  std::unique_ptr<Drive> points(const std::string &text, const std::string &type = "control points")
+  {
+    return drive({{"type", type}, {"points", text}});
+  }
 
   std::string refusal(const Settings &settings)
   {
@@ -178,7 +178,8 @@ TEST(Drive, BadPointsAreRefused)
   EXPECT_NE(of("0 0 0").find("is not a control point"), std::string::npos);
   EXPECT_NE(of(" ; ").find("no control point"), std::string::npos);
   EXPECT_NE(refusal({{"type", "spline"}}).find("neither"), std::string::npos);
-  EXPECT_NE(refusal({{"type", "smooth step"}, {"amplitude", "1"}, {"duration", "1"}, {"maximum rate", "1.5"}}).find("maximum rate"), std::string::npos);
+  EXPECT_NE(refusal({{"type", "smooth step"}, {"amplitude", "1"}, {"duration", "1"}, {"maximum rate", "1.5"}}).find("maximum rate"),
+            std::string::npos);
   EXPECT_NE(refusal({{"type", "ramp"}, {"amplitude", "1"}, {"start", "1"}, {"duration", "1e-14"}}).find("duration"), std::string::npos);
 }
 

@@ -14,7 +14,7 @@ namespace myolines
   {
     const int *row_start;
     const int *columns;
-    double *   values;
+    double    *values;
   };
 
   /// Raw access to @p matrix, which must have a fixed pattern.

@@ -34,9 +34,21 @@ namespace myolines
     MYOLINES_INLINE double operator[](const int lane) const { return v[lane]; }
     MYOLINES_INLINE void   set(const int lane, const double x) { v[lane] = x; }
 
-    MYOLINES_INLINE Lanes &operator+=(const Lanes &b) { v += b.v; return *this; }
-    MYOLINES_INLINE Lanes &operator-=(const Lanes &b) { v -= b.v; return *this; }
-    MYOLINES_INLINE Lanes &operator*=(const Lanes &b) { v *= b.v; return *this; }
+    MYOLINES_INLINE Lanes &operator+=(const Lanes &b)
+    {
+      v += b.v;
+      return *this;
+    }
+    MYOLINES_INLINE Lanes &operator-=(const Lanes &b)
+    {
+      v -= b.v;
+      return *this;
+    }
+    MYOLINES_INLINE Lanes &operator*=(const Lanes &b)
+    {
+      v *= b.v;
+      return *this;
+    }
 
     friend MYOLINES_INLINE Lanes operator+(const Lanes &a, const Lanes &b) { return Lanes(Vec(a.v + b.v)); }
     friend MYOLINES_INLINE Lanes operator-(const Lanes &a, const Lanes &b) { return Lanes(Vec(a.v - b.v)); }

@@ -28,11 +28,11 @@ namespace myolines
   /// What a kind of system brings to scenes, help and templates.
   struct SystemEntry
   {
-    std::string                                                        name;   ///< value of system/type
-    scene::Schema                                                      schema; ///< of the list `system`
-    scene::Schema                                                      output; ///< of the list `output`
-    std::vector<scene::Setting>                                        example; ///< a small scene, without the integrator
-    std::vector<scene::Setting>                                        without_inertia; ///< turns the example quasi-static; empty if it cannot be
+    std::string                 name;            ///< value of system/type
+    scene::Schema               schema;          ///< of the list `system`
+    scene::Schema               output;          ///< of the list `output`
+    std::vector<scene::Setting> example;         ///< a small scene, without the integrator
+    std::vector<scene::Setting> without_inertia; ///< turns the example quasi-static; empty if it cannot be
     std::function<AssembledSystem(const scene::Node &, WorkLedger &)> make;
   };
 

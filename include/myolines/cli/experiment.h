@@ -14,11 +14,11 @@ namespace myolines
   public:
     explicit Experiment(scene::Node scene);
 
-    const scene::Node &    scene() const { return scene_; }
+    const scene::Node     &scene() const { return scene_; }
     const AssembledSystem &assembled() const { return assembled_; }
-    const MethodFacts &    method() const { return method_.facts; }
-    const LoopSettings &   settings() const { return settings_; }
-    WorkLedger &           ledger() { return ledger_; }
+    const MethodFacts     &method() const { return method_.facts; }
+    const LoopSettings    &settings() const { return settings_; }
+    WorkLedger            &ledger() { return ledger_; }
 
     /// Advances from the initial state to the end.
     void run(const std::vector<Observer *> &observers);
@@ -32,7 +32,7 @@ namespace myolines
     scene::Node                  scene_;
     WorkLedger                   ledger_;
     AssembledSystem              assembled_;
-    const IntegratorEntry &      method_;
+    const IntegratorEntry       &method_;
     LoopSettings                 settings_;
     LinearSolver                 linear_;
     NonlinearSolver              nonlinear_;

@@ -27,7 +27,7 @@ namespace myolines
     /// Zeroes constrained rows and columns of the element matrices.
     void constrain(unsigned int b, double *element_matrices) const;
 
-    const CellBatches &        batches_;
+    const CellBatches         &batches_;
     const int                  n_nodes_;
     SparseMatrix               matrix_;
     CompressedRows             rows_;

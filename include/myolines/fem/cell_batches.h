@@ -50,15 +50,16 @@ namespace myolines
       std::size_t  geometry; ///< where its entries begin in geometry_
     };
 
-    void add_batches(const std::vector<NodeSpace::Cell> &cells, const NodeSpace &space, const Element &element, dealii::FEValues<3> &values);
+    void add_batches(const std::vector<NodeSpace::Cell> &cells, const NodeSpace &space, const Element &element,
+                     dealii::FEValues<3> &values);
     void add_geometry(Batch &batch, const Element &element, dealii::FEValues<3> &values);
 
-    int                            n_nodes_, n_modes_;
-    unsigned int                   n_owned_ = 0;
-    std::vector<Batch>             batches_;
-    std::vector<NodeSpace::Cell>   cells_;
-    std::vector<unsigned int>      nodes_;
-    dealii::AlignedVector<double>  geometry_;
-    dealii::AlignedVector<double>  mode_mass_;
+    int                           n_nodes_, n_modes_;
+    unsigned int                  n_owned_ = 0;
+    std::vector<Batch>            batches_;
+    std::vector<NodeSpace::Cell>  cells_;
+    std::vector<unsigned int>     nodes_;
+    dealii::AlignedVector<double> geometry_;
+    dealii::AlignedVector<double> mode_mass_;
   };
 } // namespace myolines

@@ -14,10 +14,8 @@ namespace myolines
 {
   /// Fills @p mesh with a box of size[d] [m] from the origin, cells[d] coarse cells, refined globally. Boundary ids 0..5 are
   /// the faces x-, x+, y-, y+, z-, z+.
-  void make_block(dealii::parallel::distributed::Triangulation<3> &mesh,
-                  const std::array<double, 3> &                    size,
-                  const std::array<unsigned int, 3> &              cells,
-                  unsigned int                                     refinement);
+  void make_block(dealii::parallel::distributed::Triangulation<3> &mesh, const std::array<double, 3> &size,
+                  const std::array<unsigned int, 3> &cells, unsigned int refinement);
 
   /// Continuous Lagrange nodes of degree k on a hexahedral mesh, three displacement components each. The unknown of
   /// component c at node n has number 3 n + c, for every degree, so the components of a node always stand together.
@@ -32,12 +30,12 @@ namespace myolines
 
     const dealii::DoFHandler<3> &nodes() const { return nodes_; }
     MPI_Comm                     communicator() const { return nodes_.get_communicator(); }
-    const dealii::IndexSet &     owned_unknowns() const { return owned_; }
-    const dealii::IndexSet &     relevant_unknowns() const { return relevant_; }
+    const dealii::IndexSet      &owned_unknowns() const { return owned_; }
+    const dealii::IndexSet      &relevant_unknowns() const { return relevant_; }
     unsigned int                 degree() const { return degree_; }
 
     /// A zero vector over all unknowns, ghosted.
-    Vector make_vector() const { return Vector(partitioner_); }
+    Vector                                     make_vector() const { return Vector(partitioner_); }
     const dealii::Utilities::MPI::Partitioner &partitioner() const { return *partitioner_; }
 
     /// Global node numbers of @p cell in lexicographic order.

@@ -40,7 +40,8 @@ namespace myolines::curves
   {
     const T    x0 = select(stretch <= T(1.25), T(1.), select(stretch <= T(1.5), T(1.25), select(stretch <= T(1.65), T(1.5), T(1.65))));
     const auto by_piece = [&](const double p1, const double p2, const double p3, const double p4) {
-      return select(stretch <= T(1.), T(0.), select(stretch <= T(1.25), T(p1), select(stretch <= T(1.5), T(p2), select(stretch <= T(1.65), T(p3), T(p4)))));
+      return select(stretch <= T(1.), T(0.),
+                    select(stretch <= T(1.25), T(p1), select(stretch <= T(1.5), T(p2), select(stretch <= T(1.65), T(p3), T(p4)))));
     };
     const T c2 = by_piece(2.353845, 3.436357, 0.427408, 0.);
     const T c1 = by_piece(0., 1.176922, 2.895101, 3.023323);
@@ -58,8 +59,7 @@ namespace myolines::curves
   MYOLINES_INLINE Curve<T> force_velocity(const T &e)
   {
     const auto by_piece = [&](const double p0, const double p1, const double p2, const double p3, const double p4, const double p5) {
-      return select(e < T(-1.2),
-                    T(p0),
+      return select(e < T(-1.2), T(p0),
                     select(e <= T(-0.25), T(p1), select(e < T(0.), T(p2), select(e <= T(0.05), T(p3), select(e < T(0.75), T(p4), T(p5))))));
     };
     const T x  = e - by_piece(0., -1.2, -0.25, 0., 0.05, 0.);

@@ -74,6 +74,7 @@ namespace myolines
   MYOLINES_INLINE YeohDerivatives<T> yeoh(const YeohParameters &base, const T &I1)
   {
     const T x = I1 - T(3.);
-    return {T(base.scale) * (T(base.c[0]) + x * (T(2. * base.c[1]) + x * T(3. * base.c[2]))), T(base.scale) * (T(2. * base.c[1]) + x * T(6. * base.c[2]))};
+    return {T(base.scale) * (T(base.c[0]) + x * (T(2. * base.c[1]) + x * T(3. * base.c[2]))),
+            T(base.scale) * (T(2. * base.c[1]) + x * T(6. * base.c[2]))};
   }
 } // namespace myolines

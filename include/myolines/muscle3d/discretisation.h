@@ -13,17 +13,18 @@ namespace myolines
   /// Mesh, nodes, batches and kernels of a muscle: everything that does not change in time.
   struct Muscle3dDiscretisation
   {
-    Muscle3dDiscretisation(const Muscle3dParameters &parameters, MPI_Comm communicator, InstructionSet instruction_set = widest_instruction_set());
+    Muscle3dDiscretisation(const Muscle3dParameters &parameters, MPI_Comm communicator,
+                           InstructionSet instruction_set = widest_instruction_set());
 
-    MPI_Comm                    communicator;
-    NodeSpace::Mesh             mesh;
-    std::unique_ptr<NodeSpace>  space;
-    Element                     element;
+    MPI_Comm                     communicator;
+    NodeSpace::Mesh              mesh;
+    std::unique_ptr<NodeSpace>   space;
+    Element                      element;
     std::unique_ptr<CellBatches> batches;
-    Constraints                 constraints;
-    InstructionSet              instruction_set;
-    const Kernels &             kernels;
-    KernelTables                tables;
+    Constraints                  constraints;
+    InstructionSet               instruction_set;
+    const Kernels               &kernels;
+    KernelTables                 tables;
 
     /// Fills space, batches and constraints from the mesh as it stands; call again after moving mesh vertices.
     void set_up(const Muscle3dParameters &parameters);

@@ -37,9 +37,9 @@ namespace myolines
   struct KernelCells
   {
     const unsigned int *nodes;             ///< [n_nodes][n_lanes]
-    const double *      geometry;          ///< per point 9 + 1 lanes
+    const double       *geometry;          ///< per point 9 + 1 lanes
     unsigned int        geometry_stride;   ///< doubles between points, 0 if affine
-    const double *      inverse_mode_mass; ///< [n_modes][n_modes] lanes
+    const double       *inverse_mode_mass; ///< [n_modes][n_modes] lanes
     int                 n_filled;
   };
 
@@ -61,16 +61,20 @@ namespace myolines
   struct Kernels
   {
     /// r += R(u, v, a) without external loads. False if det F <= 0, D_h <= 0 or NaN anywhere in the batch; r is then unchanged.
-    bool (*residual)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, const double *a, double *r, double *scratch);
+    bool (*residual)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, const double *a,
+                     double *r, double *scratch);
 
     /// y += (w_u K + w_v C + w_a M) x at the state (u, v).
-    void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u, const double *v, const double *x, double *y, double *scratch);
+    void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u, const double *v,
+                  const double *x, double *y, double *scratch);
 
     /// matrices = w_u K + w_v C + w_a M at (u, v): [9][n_nodes][n_nodes] lanes, block (a, c) at 3 a + c.
-    void (*element_matrices)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u, const double *v, double *matrices, double *scratch);
+    void (*element_matrices)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u,
+                             const double *v, double *matrices, double *scratch);
 
     /// values: [n_points][n_point_values] lanes. Velocity may be nullptr (then rates are zero).
-    void (*points)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *values, double *scratch);
+    void (*points)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *values,
+                   double *scratch);
 
     std::size_t (*scratch_size)(int n_points_1d, int n_modes);
   };

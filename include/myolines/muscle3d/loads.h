@@ -47,7 +47,7 @@ namespace myolines
   private:
     struct Motion
     {
-      const BoundaryCondition *                    condition;
+      const BoundaryCondition                     *condition;
       std::vector<dealii::types::global_dof_index> nodes;
       std::vector<VectorFormula>                   formulas; ///< displacement, velocity, acceleration; or empty
     };
@@ -60,7 +60,7 @@ namespace myolines
     void add_tractions(double t, Vector &f) const;
     void add_body_force(double t, Vector &f) const;
 
-    const Muscle3dDiscretisation & discretisation_;
+    const Muscle3dDiscretisation  &discretisation_;
     std::vector<Motion>            motions_;
     std::vector<Traction>          tractions_;
     std::unique_ptr<VectorFormula> body_force_;

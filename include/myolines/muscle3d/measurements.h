@@ -29,25 +29,27 @@ namespace myolines
     whole_cells        ///< by cell centre with an exact comparison, as the peer
   };
 
-  /// Integrals over the body at one state. Energies of the true balance are in joules; work-like densities (6.2.3)-(6.2.11) are in J/m^3 of current volume.
+  /// Integrals over the body at one state. Energies of the true balance are in joules; work-like densities (6.2.3)-(6.2.11) are in J/m^3 of
+  /// current volume.
   struct BodyMeasures
   {
-    double        volume         = 0; ///< current [m^3]
-    double        kinetic        = 0; ///< [J]
-    double        stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
-    double        stored_base       = 0; ///< int Yeoh energy [J]
-    double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam [J]
-    double        active_power      = 0; ///< work rate the active stress would do isometrically, - int sigma0 a sA lam-dot/lam [W], positive while fibres shorten
-    double        dissipation       = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0 [W]
-    double        body_force_power  = 0; ///< [W]
-    double        traction_power    = 0; ///< [W]
-    Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
+    double volume            = 0; ///< current [m^3]
+    double kinetic           = 0; ///< [J]
+    double stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
+    double stored_base       = 0; ///< int Yeoh energy [J]
+    double stored_passive    = 0; ///< int sigma0 int sP/lam dlam [J]
+    double active_power =
+        0; ///< work rate the active stress would do isometrically, - int sigma0 a sA lam-dot/lam [W], positive while fibres shorten
+    double        dissipation      = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0 [W]
+    double        body_force_power = 0; ///< [W]
+    double        traction_power   = 0; ///< [W]
+    Parts<double> work_density;         ///< (6.2.3)-(6.2.11) [J/m^3]
 
-    double                slab_volume           = 0; ///< current [m^3]
-    double                mean_stretch          = 0; ///< (6.2.22), |F a0|
-    double                mean_pennation        = 0; ///< (6.2.25) [degree]
-    double                mean_strain_rate      = 0; ///< (6.2.21), non-dimensional, d|F a0|/dt / e0
-    dealii::Tensor<1, 3>  mean_velocity;             ///< (6.2.19) [m/s]
+    double               slab_volume      = 0; ///< current [m^3]
+    double               mean_stretch     = 0; ///< (6.2.22), |F a0|
+    double               mean_pennation   = 0; ///< (6.2.25) [degree]
+    double               mean_strain_rate = 0; ///< (6.2.21), non-dimensional, d|F a0|/dt / e0
+    dealii::Tensor<1, 3> mean_velocity;        ///< (6.2.19) [m/s]
 
     double l2_displacement = 0; ///< [m^2.5]
     double l2_pressure     = 0; ///< [Pa m^1.5]
@@ -72,15 +74,15 @@ namespace myolines
   /// Evaluates displacements at fixed material points. @throws InputError naming the marker if one lies outside the body.
   struct Marker
   {
-    std::string          name;
-    dealii::Point<3>     position; ///< reference [m]
+    std::string      name;
+    dealii::Point<3> position; ///< reference [m]
   };
   class MarkerProbe
   {
   public:
     MarkerProbe(const Muscle3dSystem &system, std::vector<Marker> markers, const std::string &where);
     std::vector<dealii::Tensor<1, 3>> displacements(const State &state) const;
-    const std::vector<Marker> &       markers() const { return markers_; }
+    const std::vector<Marker>        &markers() const { return markers_; }
 
   private:
     const Muscle3dSystem &system_;
@@ -94,5 +96,6 @@ namespace myolines
 
   /// Writes @p fields (names of field_names()) of @p state to folder/fields-NNNN.vtu (.pvtu on several ranks), with
   /// high-order cells; returns the file name. Fields at quadrature points are projected cell-wise (L2, degree of the displacement).
-  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields, const std::string &folder, unsigned int number);
+  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
+                           const std::string &folder, unsigned int number);
 } // namespace myolines

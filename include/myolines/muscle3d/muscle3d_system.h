@@ -31,16 +31,16 @@ namespace myolines
     Capabilities                   capabilities() const override;
     std::size_t                    n_unknowns() const override;
     State                          initial_state(double t0) const override;
-    const Constraints &            constraints() const override;
+    const Constraints             &constraints() const override;
     void                           prescribed(double t, Side side, State &state) const override;
     Evaluation                     residual(const Point &point, Vector &r) const override;
     std::unique_ptr<Linearisation> make_linearisation() const override;
     void                           linearise(const Point &point, Linearisation &linearisation) const override;
     std::vector<double>            events(double t0, double t1) const override;
 
-    const Muscle3dParameters &    parameters() const { return parameters_; }
+    const Muscle3dParameters     &parameters() const { return parameters_; }
     const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }
-    const Loads &                 loads() const { return *loads_; }
+    const Loads                  &loads() const { return *loads_; }
     std::size_t                   n_cells() const;
     /// Activation at time t, 0 without one.
     double activation(double t, Side side = Side::left) const;
@@ -55,7 +55,7 @@ namespace myolines
 
   private:
     Muscle3dParameters                      parameters_;
-    WorkLedger &                            ledger_;
+    WorkLedger                             &ledger_;
     std::unique_ptr<Muscle3dDiscretisation> discretisation_;
     std::unique_ptr<Loads>                  loads_;
   };

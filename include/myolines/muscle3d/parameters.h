@@ -29,31 +29,34 @@ namespace myolines
       formula,  ///< u_c = f_c(x, y, z, t), with dt and d2t given as formulas too
       traction, ///< dead load per reference area T(x, y, z, t) [Pa]
     };
-    std::string          name;
-    Type                 type = Type::fixed;
-    unsigned int         face = 0;
-    std::array<bool, 3>  components{{true, true, true}}; ///< which components are prescribed (not for tractions)
-    std::array<double, 3> direction{{1, 0, 0}};          ///< unit vector, type strain
-    double                reference_length = 0;          ///< [m], type strain
-    std::shared_ptr<const Drive> strain;                 ///< type strain
+    std::string                  name;
+    Type                         type = Type::fixed;
+    unsigned int                 face = 0;
+    std::array<bool, 3>          components{{true, true, true}};       ///< which components are prescribed (not for tractions)
+    std::array<double, 3>        direction{{1, 0, 0}};                 ///< unit vector, type strain
+    double                       reference_length = 0;                 ///< [m], type strain
+    std::shared_ptr<const Drive> strain;                               ///< type strain
     std::array<std::string, 3>   displacement, velocity, acceleration; ///< type formula [m], [m/s], [m/s^2]
     std::array<std::string, 3>   traction;                             ///< type traction [Pa]
-    std::string                  scene_path; ///< for messages
+    std::string                  scene_path;                           ///< for messages
   };
 
   struct Muscle3dParameters
   {
-    bool             dynamic        = true;
-    bool             exact_tangent  = true;
-    unsigned int     degree         = 2; ///< of the displacement, 1..3
-    unsigned int     n_points       = 4; ///< Gauss points per direction, 2..6
-    BlockGeometry    geometry;
-    TissueParameters tissue;
-    std::array<double, 3>          fibre_direction{{1, 0, 0}}; ///< a0, unit
-    std::vector<BoundaryCondition> boundary;
-    std::shared_ptr<const Drive>   activation; ///< nullptr: no activation in the scene, no active stress
+    bool                                      dynamic       = true;
+    bool                                      exact_tangent = true;
+    unsigned int                              degree        = 2; ///< of the displacement, 1..3
+    unsigned int                              n_points      = 4; ///< Gauss points per direction, 2..6
+    BlockGeometry                             geometry;
+    TissueParameters                          tissue;
+    std::array<double, 3>                     fibre_direction{{1, 0, 0}}; ///< a0, unit
+    std::vector<BoundaryCondition>            boundary;
+    std::shared_ptr<const Drive>              activation; ///< nullptr: no activation in the scene, no active stress
     std::optional<std::array<std::string, 3>> body_force; ///< per reference volume [N/m^3], formulas of x, y, z, t
   };
+
+  /// "x-", "x+", "y-", "y+", "z-", "z+": the faces of a block by number.
+  const std::vector<std::string> &face_names();
 
   /// Declaration of the list `system` for type "muscle 3d".
   scene::Schema muscle3d_schema();

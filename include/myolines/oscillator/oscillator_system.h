@@ -11,14 +11,14 @@ namespace myolines
   /// Parameters of m u'' + c (u' - s') + k (u - s) + k3 (u - s)^3 = f(t), s(t) the motion of the support.
   struct OscillatorParameters
   {
-    double                 mass            = 1; ///< m [kg]
-    double                 damping         = 0; ///< c [N s/m]
-    double                 stiffness       = 1; ///< k [N/m]
-    double                 cubic_stiffness = 0; ///< k3 [N/m^3]
-    double                 displacement    = 1; ///< u(0) [m]
-    double                 velocity        = 0; ///< u'(0) [m/s]
-    std::shared_ptr<const Drive> force;         ///< f [N], nullptr: none
-    std::shared_ptr<const Drive> support;       ///< s [m], nullptr: at rest; then unknown 1 is the support
+    double                       mass            = 1; ///< m [kg]
+    double                       damping         = 0; ///< c [N s/m]
+    double                       stiffness       = 1; ///< k [N/m]
+    double                       cubic_stiffness = 0; ///< k3 [N/m^3]
+    double                       displacement    = 1; ///< u(0) [m]
+    double                       velocity        = 0; ///< u'(0) [m/s]
+    std::shared_ptr<const Drive> force;               ///< f [N], nullptr: none
+    std::shared_ptr<const Drive> support;             ///< s [m], nullptr: at rest; then unknown 1 is the support
   };
 
   scene::Schema        oscillator_schema();
@@ -34,7 +34,7 @@ namespace myolines
     Capabilities                   capabilities() const override;
     std::size_t                    n_unknowns() const override;
     State                          initial_state(double t0) const override;
-    const Constraints &            constraints() const override;
+    const Constraints             &constraints() const override;
     void                           prescribed(double t, Side side, State &state) const override;
     Evaluation                     residual(const Point &point, Vector &r) const override;
     std::unique_ptr<Linearisation> make_linearisation() const override;
@@ -45,7 +45,7 @@ namespace myolines
 
   private:
     OscillatorParameters parameters_;
-    WorkLedger &         ledger_;
+    WorkLedger          &ledger_;
     Constraints          constraints_;
     Vector               layout_;
   };

@@ -24,5 +24,5 @@ namespace myolines
   std::vector<std::string> read_field_names(const scene::Node &fields, const std::vector<std::string> &known);
 
   /// ParaView collection of files, each valid from its time on [s].
-  std::string pvd_text(const std::vector<std::pair<double, std::string> > &files);
+  std::string pvd_text(const std::vector<std::pair<double, std::string>> &files);
 } // namespace myolines

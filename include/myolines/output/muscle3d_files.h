@@ -17,10 +17,7 @@ namespace myolines
     virtual ~SeriesFile() = default;
 
     /// After every accepted step and at the start, whether or not a row is due: for what accumulates over time.
-    virtual void
-    advance(const Muscle3dSample &)
-    {
-    }
+    virtual void advance(const Muscle3dSample &) {}
 
     virtual void row(const Muscle3dSample &sample, std::size_t step) = 0;
   };
@@ -51,7 +48,8 @@ namespace myolines
   /// that follows.
   std::unique_ptr<SeriesFile> energy_balance_file(const std::filesystem::path &folder);
 
-  /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row.
+  /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row; not a
+  /// number while fibres are at rest.
   std::unique_ptr<SeriesFile> gearing_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters);
 
   /// Length of the longest straight fibre inside the block [m], the L_f0 of thesis (7.2.1).

@@ -25,25 +25,13 @@ namespace myolines
   public:
     Muscle3dSample(const Muscle3dSystem &system, const State &state, Side side, SlabRule slab, const EndPoints &ends);
 
-    const Muscle3dSystem &
-    system() const
-    {
-      return system_;
-    }
-    const State &
-    state() const
-    {
-      return state_;
-    }
-    double
-    t() const
-    {
-      return state_.t;
-    }
+    const Muscle3dSystem &system() const { return system_; }
+    const State          &state() const { return state_; }
+    double                t() const { return state_.t; }
 
-    const BodyMeasures                 &body() const;
-    const std::vector<Reaction>        &reactions() const;
-    const Parts<dealii::Tensor<1, 3> > &face_force(unsigned int face) const;
+    const BodyMeasures                &body() const;
+    const std::vector<Reaction>       &reactions() const;
+    const Parts<dealii::Tensor<1, 3>> &face_force(unsigned int face) const;
 
     double activation() const;       ///< [-], on the side of the state at a kink
     double muscle_length() const;    ///< distance along x between the centres of the end faces [m]
@@ -56,8 +44,8 @@ namespace myolines
     SlabRule              slab_;
     const EndPoints      &ends_;
 
-    mutable std::optional<BodyMeasures>                                 body_;
-    mutable std::optional<std::vector<Reaction> >                       reactions_;
-    mutable std::array<std::optional<Parts<dealii::Tensor<1, 3> > >, 6> forces_;
+    mutable std::optional<BodyMeasures>                               body_;
+    mutable std::optional<std::vector<Reaction>>                      reactions_;
+    mutable std::array<std::optional<Parts<dealii::Tensor<1, 3>>>, 6> forces_;
   };
 } // namespace myolines

@@ -17,10 +17,10 @@ namespace myolines
   scene::Schema oscillator_output_schema();
 
   /// The observers a scene asks for; they write into @p folder, which exists and is writable.
-  std::vector<std::unique_ptr<Observer> > make_outputs(const scene::Node &output, const Muscle3dSystem &system,
-                                                       const std::filesystem::path &folder, WorkLedger &ledger);
-  std::vector<std::unique_ptr<Observer> > make_outputs(const scene::Node &output, const OscillatorSystem &system,
-                                                       const std::filesystem::path &folder, WorkLedger &ledger);
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle3dSystem &system,
+                                                      const std::filesystem::path &folder, WorkLedger &ledger);
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system,
+                                                      const std::filesystem::path &folder, WorkLedger &ledger);
 
   /// Status line per step on a terminal, one line per step in run.log, always run.log; on rank 0.
   std::unique_ptr<Observer> make_status(const std::filesystem::path &folder, double start, double end, bool quiet);

@@ -16,10 +16,10 @@ namespace myolines::scene
   class Node
   {
   public:
-    double      number(const std::string &name) const;
-    int         integer(const std::string &name) const;
-    bool        boolean(const std::string &name) const;
-    std::string text(const std::string &name) const; ///< also for choices
+    double                number(const std::string &name) const;
+    int                   integer(const std::string &name) const;
+    bool                  boolean(const std::string &name) const;
+    std::string           text(const std::string &name) const; ///< also for choices
     std::filesystem::path file(const std::string &name) const; ///< resolved against the folder of the scene
 
     /// True if a value or default of @p name is there, or the (optional) list @p name was written.
@@ -39,7 +39,8 @@ namespace myolines::scene
     std::string where(const std::string &name) const;
 
     /// Throws InputError about parameter @p name of this list, for conditions that no range can express.
-    [[noreturn]] void refuse(const std::string &name, const std::string &what, const std::string &expected = "", const std::string &hint = "") const;
+    [[noreturn]] void refuse(const std::string &name, const std::string &what, const std::string &expected = "",
+                             const std::string &hint = "") const;
 
   private:
     friend class NodeBuilder;
@@ -70,12 +71,13 @@ namespace myolines::scene
   Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides = {});
 
   /// The same from XML text; @p name stands for the file in messages, @p folder resolves relative paths.
-  Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name = "scene", const std::filesystem::path &folder = ".",
-                   const std::vector<std::string> &overrides = {});
+  Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name = "scene",
+                   const std::filesystem::path &folder = ".", const std::vector<std::string> &overrides = {});
 
   /// The text of the parameter at @p path ("system/type") with @p overrides applied, before any validation; nothing if it
   /// is not written. For what decides which schema applies. @throws InputError if the file is unreadable or malformed.
-  std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path, const std::vector<std::string> &overrides = {});
+  std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,
+                                       const std::vector<std::string> &overrides = {});
 
   /// A parameter path and its text: {"system/boundary/moving end/face", "x+"}.
   using Setting = std::pair<std::string, std::string>;

@@ -41,7 +41,7 @@ namespace myolines::scene
   {
     std::string                name;
     Kind                       kind = Kind::number;
-    std::optional<std::string> fallback; ///< text of the default; none: the parameter is required, or optional if so marked
+    std::optional<std::string> fallback;         ///< text of the default; none: the parameter is required, or optional if so marked
     bool                       optional = false; ///< may be absent without a default; the code asks Node::has()
     std::string                unit;             ///< "m", "Pa s", "-" for none
     Range                      range;
@@ -81,7 +81,8 @@ namespace myolines::scene
 
     /// A choice parameter @p name (usually "type") each of whose values brings further parameters of its own.
     /// A schema has at most one variant; an alternative may have one in turn.
-    Schema &variant(const std::string &name, std::optional<std::string> fallback, std::vector<std::pair<std::string, Schema>> alternatives, const std::string &doc);
+    Schema &variant(const std::string &name, std::optional<std::string> fallback, std::vector<std::pair<std::string, Schema>> alternatives,
+                    const std::string &doc);
 
     const std::string &doc() const { return doc_; }
 
@@ -98,13 +99,13 @@ namespace myolines::scene
     };
     struct Variant
     {
-      std::string                                               selector; ///< name of the choice Entry
+      std::string                                                  selector; ///< name of the choice Entry
       std::vector<std::pair<std::string, std::shared_ptr<Schema>>> alternatives;
     };
-    const std::vector<Entry> &  entries() const { return entries_; }
-    const std::vector<Section> &sections() const { return sections_; }
-    const std::shared_ptr<Schema> &  named() const { return named_; }
-    const std::optional<Variant> &variant() const { return variant_; }
+    const std::vector<Entry>      &entries() const { return entries_; }
+    const std::vector<Section>    &sections() const { return sections_; }
+    const std::shared_ptr<Schema> &named() const { return named_; }
+    const std::optional<Variant>  &variant() const { return variant_; }
 
   private:
     Schema &add(Entry entry);

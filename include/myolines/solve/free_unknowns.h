@@ -27,7 +27,7 @@ namespace myolines
   private:
     struct Relation
     {
-      unsigned int                                                     row; ///< local number of the constrained unknown
+      unsigned int                                                    row; ///< local number of the constrained unknown
       std::vector<std::pair<dealii::types::global_dof_index, double>> entries;
     };
     std::vector<unsigned int> rows_;      ///< local numbers of all owned constrained unknowns

@@ -54,9 +54,9 @@ namespace myolines
     void   linearise(const Vector &x, std::uint64_t stamp);
     void   add_lift(const Vector &x, const Vector &missing, Sample &sample, Vector &g);
 
-    NonlinearProblem & problem_;
-    LinearSolver &     linear_;
-    WorkLedger &       ledger_;
+    NonlinearProblem  &problem_;
+    LinearSolver      &linear_;
+    WorkLedger        &ledger_;
     const FreeUnknowns free_;
     Vector             lift_; ///< C^T J gap of the point lifted last
     std::uint64_t      lifted_at_     = 0;

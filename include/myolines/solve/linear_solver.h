@@ -11,9 +11,9 @@ namespace myolines
 {
   struct LinearReport
   {
-    bool         converged  = false;
+    bool         converged = false;
     std::string  reason; ///< why not; empty if it did
-    unsigned int iterations = 0;
+    unsigned int iterations        = 0;
     double       relative_residual = 0; ///< true |b - J x| / |b|
   };
 
@@ -25,7 +25,8 @@ namespace myolines
   ///
   /// The preconditioner is kept from solve to solve. It is rebuilt, depending on `rebuild`, at each new step or only when
   /// it has become slow: when a solve took `slow iterations` more than the first one after the last rebuild. A solve that
-  /// fails with a kept preconditioner is repeated with a fresh one.
+  /// fails with a kept preconditioner is repeated with a fresh one. Call forget() before solving with another
+  /// Linearisation than before.
   ///
   /// Ledger: "preconditioner set-ups", "linear solves", "linear iterations", "krylov fallbacks"; seconds of "assembly",
   /// "preconditioner", "linear solve".
@@ -41,6 +42,9 @@ namespace myolines
 
     /// The next solve may build a fresh preconditioner: the operator has moved on to another time step or stage weight.
     void new_step();
+
+    /// Drops what was kept. A run that calls this when it saves its state goes on bit for bit like one that loads it.
+    void forget();
 
     /// Solves to |b - J x| <= @p tolerance |b| over the free unknowns. Entries of constrained unknowns of @p b are
     /// ignored (a right-hand side f is given as C^T f) and those of @p x come back zero. Never throws: what went wrong is

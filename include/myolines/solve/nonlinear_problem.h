@@ -23,7 +23,7 @@ namespace myolines
     /// Makes linearisation() that of @p x, a point where residual() was admissible.
     virtual void linearise(const Vector &x) = 0;
 
-    virtual Linearisation &       linearisation()   = 0;
+    virtual Linearisation        &linearisation()   = 0;
     virtual const WeightsByOrder &weights() const   = 0; ///< J = dF/dx = weights applied to the linearisation
     virtual bool                  symmetric() const = 0; ///< whether J is symmetric
   };

@@ -31,9 +31,9 @@ namespace myolines
   /// Facts about a preconditioner and how to make one, for `list` and the schema.
   struct PreconditionerEntry
   {
-    std::string                                                                            name;
-    std::string                                                                            summary;
-    scene::Schema                                                                          schema;
+    std::string                                                                                 name;
+    std::string                                                                                 summary;
+    scene::Schema                                                                               schema;
     std::function<std::unique_ptr<Preconditioner>(const scene::Node &, std::size_t n_unknowns)> make;
   };
 

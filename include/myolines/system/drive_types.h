@@ -43,7 +43,8 @@ namespace myolines
     bool                identically_zero() const override;
 
   private:
-    PiecewiseDrive(const std::vector<ControlPoint> &points, const std::vector<double> &slopes_right, const std::vector<double> &slopes_left);
+    PiecewiseDrive(const std::vector<ControlPoint> &points, const std::vector<double> &slopes_right,
+                   const std::vector<double> &slopes_left);
 
     const Piece &piece(double t, Side side) const;
     void         find_kinks();

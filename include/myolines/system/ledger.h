@@ -22,7 +22,7 @@ namespace myolines
     }
 
     const std::map<std::string, std::uint64_t> &counts() const { return counts_; }
-    const std::map<std::string, double> &       seconds() const { return seconds_; }
+    const std::map<std::string, double>        &seconds() const { return seconds_; }
 
     /// Adds the wall-clock seconds of its own life to a phase.
     class Timer
@@ -33,15 +33,12 @@ namespace myolines
         , phase_(std::move(phase))
         , begin_(std::chrono::steady_clock::now())
       {}
-      ~Timer()
-      {
-        ledger_.add_seconds(phase_, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count());
-      }
-      Timer(const Timer &) = delete;
+      ~Timer() { ledger_.add_seconds(phase_, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count()); }
+      Timer(const Timer &)            = delete;
       Timer &operator=(const Timer &) = delete;
 
     private:
-      WorkLedger &                          ledger_;
+      WorkLedger                           &ledger_;
       std::string                           phase_;
       std::chrono::steady_clock::time_point begin_;
     };

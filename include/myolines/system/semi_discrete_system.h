@@ -12,13 +12,13 @@ namespace myolines
   /// What a system is, for integrators to decide whether they fit and for `check` to print.
   struct Capabilities
   {
-    bool inertia            = true;  ///< dR/da != 0
-    bool rates              = true;  ///< R depends on v
-    bool linear             = false; ///< K, C, M do not depend on u, v
-    bool constant_mass      = true;
-    bool symmetric_tangent  = false; ///< K and C as linearised are symmetric
-    bool energy             = false; ///< the system can state its energies
-    std::vector<unsigned int> orders = {2}; ///< differential orders of the unknowns that occur
+    bool                      inertia           = true;  ///< dR/da != 0
+    bool                      rates             = true;  ///< R depends on v
+    bool                      linear            = false; ///< K, C, M do not depend on u, v
+    bool                      constant_mass     = true;
+    bool                      symmetric_tangent = false; ///< K and C as linearised are symmetric
+    bool                      energy            = false; ///< the system can state its energies
+    std::vector<unsigned int> orders            = {2};   ///< differential orders of the unknowns that occur
   };
 
   /// A semi-discrete system (method of lines), the waist between time integrators and physics:

@@ -16,11 +16,11 @@ namespace myolines
   /// Facts about a method, for `list`, `check`, the documentation and the verification suite.
   struct MethodFacts
   {
-    std::string  name;      ///< as in a scene: "backward euler"
-    std::string  summary;   ///< one sentence
-    std::string  reference; ///< paper with DOI, or thesis equation
-    unsigned int order = 1; ///< order of accuracy of u and v on smooth problems; 0: no dynamics
-    std::string  stability; ///< "L-stable", ...
+    std::string  name;           ///< as in a scene: "backward euler"
+    std::string  summary;        ///< one sentence
+    std::string  reference;      ///< paper with DOI, or thesis equation
+    unsigned int order = 1;      ///< order of accuracy of u and v on smooth problems; 0: no dynamics
+    std::string  stability;      ///< "L-stable", ...
     bool         dynamic = true; ///< false: ignores inertia and rates
 
     /// After load(): exact (bit-equal) or reinitialised (history is lost).
@@ -28,7 +28,8 @@ namespace myolines
     {
       exact,
       reinitialise
-    } restart = Restart::exact;
+    } restart
+        = Restart::exact;
   };
 
   /// How the velocity and acceleration of moving boundaries are made.
@@ -64,9 +65,9 @@ namespace myolines
   struct IntegratorContext
   {
     const SemiDiscreteSystem &system;
-    NonlinearSolver &         solver;
+    NonlinearSolver          &solver;
     BoundaryRates             boundary_rates;
-    WorkLedger &              ledger;
+    WorkLedger               &ledger;
   };
 
   /// One-step contract.
@@ -90,8 +91,8 @@ namespace myolines
   /// What one file in integrators/ provides: facts, parameters, and how to make one.
   struct IntegratorEntry
   {
-    MethodFacts                                                                                    facts;
-    scene::Schema                                                                                  schema;
+    MethodFacts                                                                                facts;
+    scene::Schema                                                                              schema;
     std::function<std::unique_ptr<Integrator>(const scene::Node &, const IntegratorContext &)> make;
   };
 

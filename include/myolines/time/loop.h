@@ -31,10 +31,10 @@ namespace myolines
   {
   public:
     virtual ~Observer() = default;
-    virtual void begin(const State &) {}                          ///< initial state, before the first step
-    virtual void accepted(const State &, const StepRecord &) {}   ///< after every accepted step
-    virtual void rejected(const StepRecord &) {}                  ///< after every rejected attempt
-    virtual void end(const std::string & /*reason*/) {}           ///< always called, also after a failure; "" if done
+    virtual void begin(const State &) {}                        ///< initial state, before the first step
+    virtual void accepted(const State &, const StepRecord &) {} ///< after every accepted step
+    virtual void rejected(const StepRecord &) {}                ///< after every rejected attempt
+    virtual void end(const std::string & /*reason*/) {}         ///< always called, also after a failure; "" if done
   };
 
   struct LoopSettings

@@ -34,8 +34,12 @@ namespace myolines
   private:
     class Problem;
     std::unique_ptr<Problem> problem_;
-    NonlinearSolver &        solver_;
+    NonlinearSolver         &solver_;
   };
+
+  /// State at the beginning of a run, as the system gives it. With scheme rates prescribed unknowns start from v = a = 0, so that
+  /// a motion that starts with a velocity gives the body an impulse in the first step, as in the thesis (errata 21).
+  State starting_state(const SemiDiscreteSystem &system, double t0, BoundaryRates rates);
 
   /// Beginning of a smooth piece: with exact boundary rates the prescribed unknowns of @p state take their right limits.
   void start_piece(const IntegratorContext &context, State &state);

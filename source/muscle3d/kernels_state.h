@@ -1,0 +1,189 @@
+#pragma once
+
+#include "kernels_point.h"
+#include "kernels_sum_factorisation.h"
+
+namespace myolines
+{
+  /// One batch of cells: its nodal values, its state at the Gauss points, in scratch storage, and integrals over it.
+  template <InstructionSet isa, int n1>
+  class BatchState
+  {
+  public:
+    using T                        = Lanes<isa>;
+    static constexpr int n_nodes   = n1 * n1 * n1;
+    static constexpr int max_modes = 10;
+
+    static std::size_t scratch_size(const int n, const int /*n_modes*/)
+    {
+      // Three gradients, the coefficients of the tangent, values of three components, and the volumetric columns.
+      return std::size_t(n_lanes) * (n * n * n * (9 + 9 + 9 + 81 + 3) + 2 * max_modes * 3 * n_nodes);
+    }
+
+    BatchState(const KernelTables &tables, const KernelModel &model, const KernelCells &cells, double *scratch)
+      : t(tables)
+      , m(model)
+      , cells(cells)
+      , n_points(t.n_points_1d * t.n_points_1d * t.n_points_1d)
+      , F(reinterpret_cast<T *>(scratch))
+      , F_rate(F + 9 * n_points)
+      , work(F_rate + 9 * n_points)
+      , coefficients(work + 9 * n_points)
+      , values(coefficients + 81 * n_points)
+      , columns(values + 3 * n_points)
+    {}
+
+    const T &inverse(const int q, const int k) const
+    {
+      return reinterpret_cast<const T *>(cells.geometry + std::size_t(q) * cells.geometry_stride)[k];
+    }
+    T JxW(const int q) const { return inverse(q, 9) * T(t.weight[q]); }
+    T mode(const int q, const int i) const { return T(t.modes[q * t.n_modes + i]); }
+
+    void gather(const double *x, T *nodal) const
+    {
+      for (int i = 0; i < n_nodes; ++i)
+        for (int lane = 0; lane < n_lanes; ++lane)
+          {
+            const double *at = x + 3 * std::size_t(cells.nodes[i * n_lanes + lane]);
+            for (int c = 0; c < 3; ++c)
+              nodal[c * n_nodes + i].v[lane] = at[c];
+          }
+    }
+
+    void scatter(const T *nodal, double *x) const
+    {
+      for (int i = 0; i < n_nodes; ++i)
+        for (int lane = 0; lane < cells.n_filled; ++lane)
+          {
+            double *at = x + 3 * std::size_t(cells.nodes[i * n_lanes + lane]);
+            for (int c = 0; c < 3; ++c)
+              at[c] += nodal[c * n_nodes + i].v[lane];
+          }
+    }
+
+    /// gradient[9 q + 3 a + J] = d x_a / d X_J, and the values if wanted ([3][n_points]).
+    void evaluate_gradient(const double *x, T *gradient, T *value = nullptr)
+    {
+      T nodal[3 * n_nodes];
+      gather(x, nodal);
+      for (int a = 0; a < 3; ++a)
+        {
+          T *reference = work; // [3][n_points]
+          interpolate<n1>(t, nodal + a * n_nodes, value ? value + a * n_points : nullptr, reference);
+          for (int q = 0; q < n_points; ++q)
+            for (int J = 0; J < 3; ++J)
+              gradient[9 * q + 3 * a + J] = reference[q] * inverse(q, J) + reference[n_points + q] * inverse(q, 3 + J) +
+                                            reference[2 * n_points + q] * inverse(q, 6 + J);
+        }
+    }
+
+    void evaluate_values(const double *x)
+    {
+      T nodal[3 * n_nodes];
+      gather(x, nodal);
+      for (int a = 0; a < 3; ++a)
+        interpolate<n1>(t, nodal + a * n_nodes, values + a * n_points, static_cast<T *>(nullptr));
+    }
+
+    void evaluate_F(const double *u)
+    {
+      evaluate_gradient(u, F);
+      for (int q = 0; q < n_points; ++q)
+        for (int i = 0; i < 9; i += 4)
+          F[9 * q + i] += T(1.);
+    }
+
+    /// c = (mass of the modes)^(-1) moments
+    void project(const T *moments, T *c) const
+    {
+      const T *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
+      for (int i = 0; i < t.n_modes; ++i)
+        {
+          c[i] = T(0.);
+          for (int j = 0; j < t.n_modes; ++j)
+            c[i] += mass[i * t.n_modes + j] * moments[j];
+        }
+    }
+
+    T expand(const T *c, const int q) const
+    {
+      T x(0.);
+      for (int i = 0; i < t.n_modes; ++i)
+        x += mode(q, i) * c[i];
+      return x;
+    }
+
+    void add_moments(const T &x, const int q, T *moments) const
+    {
+      const T weighted = x * JxW(q);
+      for (int i = 0; i < t.n_modes; ++i)
+        moments[i] += mode(q, i) * weighted;
+    }
+
+    static void clear(T *x, const int n)
+    {
+      for (int i = 0; i < n; ++i)
+        x[i] = T(0.);
+    }
+
+    /// Dilatation D_h = Pi(J) and pressure p_h = Pi(Psi_vol'(D_h)). False if J <= 0, D_h <= 0 or NaN in a filled lane.
+    bool volumetric_state()
+    {
+      T          moments[max_modes];
+      T          admissible(1.);
+      const auto require_positive = [&](const T &x) { admissible = select(x > T(0.), admissible, T(-1.)); };
+      clear(moments, t.n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          const Kinematics<T> k(F + 9 * q);
+          require_positive(k.J);
+          add_moments(k.J, q, moments);
+        }
+      project(moments, dilatation);
+      clear(moments, t.n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T D = expand(dilatation, q);
+          require_positive(D);
+          add_moments(T(0.5 * m.tissue.bulk_modulus) * (D - T(1.) / D), q, moments);
+        }
+      project(moments, pressure);
+      for (int lane = 0; lane < cells.n_filled; ++lane)
+        if (admissible.v[lane] < 0)
+          return false;
+      return true;
+    }
+
+    /// Adds sum_q P : Grad N_i (flux[9 q + 3 a + J] = P_aJ JxW) and sum_q N_i values (if given) to x.
+    void add_integral(T *flux, const T *value, double *x)
+    {
+      T nodal[3 * n_nodes];
+      clear(nodal, 3 * n_nodes);
+      T *reference = coefficients;
+      for (int a = 0; a < 3; ++a)
+        {
+          if (flux)
+            for (int q = 0; q < n_points; ++q)
+              for (int A = 0; A < 3; ++A)
+                reference[A * n_points + q] = flux[9 * q + 3 * a] * inverse(q, 3 * A) + flux[9 * q + 3 * a + 1] * inverse(q, 3 * A + 1) +
+                                              flux[9 * q + 3 * a + 2] * inverse(q, 3 * A + 2);
+          integrate<n1>(t, value ? value + a * n_points : nullptr, flux ? reference : nullptr, nodal + a * n_nodes);
+        }
+      scatter(nodal, x);
+    }
+
+    const KernelTables &t;
+    const KernelModel  &m;
+    const KernelCells  &cells;
+    const int           n_points;
+    T                  *F;            ///< [n_points][9]
+    T                  *F_rate;       ///< [n_points][9]
+    T                  *work;         ///< [n_points][9]
+    T                  *coefficients; ///< [9][9][n_points] of the tangent, else free
+    T                  *values;       ///< [3][n_points]
+    T                  *columns;      ///< [2][n_modes][3][n_nodes]
+    T                   dilatation[max_modes];
+    T                   pressure[max_modes];
+  };
+} // namespace myolines

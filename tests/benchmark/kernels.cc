@@ -1,0 +1,111 @@
+// Cost of the cell kernels, per cell: `build/release/tests/benchmark_kernels`.
+#include "../muscle3d/fixtures.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <benchmark/benchmark.h>
+
+namespace myolines
+{
+  namespace
+  {
+    /// A block of 512 cells in a smooth state, for one degree, point count and instruction set.
+    struct Bench
+    {
+      Bench(const unsigned int degree, const unsigned int n_points, const InstructionSet set)
+        : parameters(test::small_block(degree, n_points, 3))
+        , d(parameters, MPI_COMM_SELF, set)
+        , model(kernel_model(parameters, 0.7))
+        , u(d.space->make_vector())
+        , v(u)
+        , a(u)
+        , r(u)
+        , matrices(std::size_t(9) * d.element.n_nodes * d.element.n_nodes * n_lanes)
+      {
+        test::randomise(u, 1e-6, 1);
+        test::randomise(v, 1e-4, 2);
+        test::randomise(a, 1, 3);
+      }
+
+      template <typename Kernel>
+      void measure(benchmark::State &state, const Kernel &kernel)
+      {
+        for (auto _ : state)
+          for (unsigned int b = 0; b < d.batches->n_owned_batches(); ++b)
+            kernel(d.kernel_cells(b));
+        state.counters["time/cell"] = benchmark::Counter(double(d.batches->n_owned_batches()) * n_lanes,
+                                                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+        state.SetLabel(name(d.instruction_set));
+      }
+
+      Muscle3dParameters            parameters;
+      Muscle3dDiscretisation        d;
+      KernelModel                   model;
+      Vector                        u, v, a, r;
+      dealii::AlignedVector<double> matrices;
+    };
+
+    bool available(benchmark::State &state, const InstructionSet set)
+    {
+      if (set > widest_instruction_set())
+        state.SkipWithError("this processor lacks the instruction set");
+      return set <= widest_instruction_set();
+    }
+
+    void residual(benchmark::State &state)
+    {
+      const auto set = static_cast<InstructionSet>(state.range(2));
+      if (!available(state, set))
+        return;
+      Bench s(state.range(0), state.range(1), set);
+      s.measure(state, [&](const KernelCells &cells) {
+        s.d.kernels.residual(s.d.tables, s.model, cells, s.u.begin(), s.v.begin(), s.a.begin(), s.r.begin(), s.d.scratch());
+      });
+    }
+
+    void tangent_action(benchmark::State &state)
+    {
+      const auto set = static_cast<InstructionSet>(state.range(2));
+      if (!available(state, set))
+        return;
+      Bench        s(state.range(0), state.range(1), set);
+      const double w[3] = {1, 40, 1600};
+      s.measure(state, [&](const KernelCells &cells) {
+        s.d.kernels.apply(s.d.tables, s.model, cells, w, s.u.begin(), s.v.begin(), s.a.begin(), s.r.begin(), s.d.scratch());
+      });
+    }
+
+    void element_matrices(benchmark::State &state)
+    {
+      const auto set = static_cast<InstructionSet>(state.range(2));
+      if (!available(state, set))
+        return;
+      Bench        s(state.range(0), state.range(1), set);
+      const double w[3] = {1, 40, 1600};
+      s.measure(state, [&](const KernelCells &cells) {
+        s.d.kernels.element_matrices(s.d.tables, s.model, cells, w, s.u.begin(), s.v.begin(), s.matrices.data(), s.d.scratch());
+      });
+    }
+
+    void arguments(benchmark::internal::Benchmark *benchmark)
+    {
+      benchmark->ArgNames({"degree", "points", "set"});
+      for (const int set : {0, 1, 2})
+        for (const auto &[degree, points] : {std::make_pair(2, 3), std::make_pair(2, 4), std::make_pair(2, 5), std::make_pair(3, 4)})
+          benchmark->Args({degree, points, set});
+      benchmark->Unit(benchmark::kMillisecond);
+    }
+
+    BENCHMARK(residual)->Apply(arguments);
+    BENCHMARK(tangent_action)->Apply(arguments);
+    BENCHMARK(element_matrices)->Apply(arguments);
+  } // namespace
+} // namespace myolines
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

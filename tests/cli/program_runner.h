@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <sys/wait.h>
+
+/// A folder of its own for a test; it vanishes with the object.
+class TestFolder
+{
+public:
+  TestFolder()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "myolines_cli_test_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("cannot make a folder for the test");
+    path_ = name;
+  }
+  ~TestFolder() { std::filesystem::remove_all(path_); }
+  TestFolder(const TestFolder &)            = delete;
+  TestFolder &operator=(const TestFolder &) = delete;
+
+  std::filesystem::path        operator/(const std::string &name) const { return path_ / name; }
+  const std::filesystem::path &path() const { return path_; }
+
+  std::filesystem::path write(const std::string &name, const std::string &text) const
+  {
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+inline std::string contents(const std::filesystem::path &file)
+{
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+struct Outcome
+{
+  int         exit_code;
+  std::string out, err;
+};
+
+/// Runs the program, built as the target `myolines`, with @p arguments in @p folder.
+inline Outcome run_program(const TestFolder &folder, const std::string &arguments)
+{
+  if (!std::filesystem::exists(MYOLINES_PROGRAM))
+    throw std::runtime_error("build the target myolines first: " MYOLINES_PROGRAM " is not there");
+  const std::string command =
+      "cd '" + folder.path().string() + "' && '" MYOLINES_PROGRAM "' " + arguments + " > out.txt 2> err.txt < /dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out.txt"), contents(folder / "err.txt")};
+}

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+
+/// Small valid scenes that tests run or spoil.
+inline const std::string oscillator_scene = R"(<?xml version="1.0"?>
+<ParameterList name="scene">
+  <ParameterList name="system">
+    <Parameter name="type" type="string" value="oscillator"/>
+    <Parameter name="mass" type="double" value="2"/>
+    <Parameter name="cubic stiffness" type="double" value="10"/>
+    <ParameterList name="force">
+      <Parameter name="type" type="string" value="control points"/>
+      <Parameter name="points" type="string" value="0 0; 0.3 1; 0.5 1"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="integrator">
+    <Parameter name="type" type="string" value="backward euler"/>
+  </ParameterList>
+  <ParameterList name="time">
+    <Parameter name="end" type="double" value="1"/>
+    <Parameter name="step" type="double" value="0.1"/>
+  </ParameterList>
+</ParameterList>
+)";
+
+inline const std::string muscle_scene = R"(<?xml version="1.0"?>
+<ParameterList name="scene">
+  <Parameter name="title" type="string" value="one cell"/>
+  <ParameterList name="system">
+    <Parameter name="type" type="string" value="muscle 3d"/>
+    <ParameterList name="geometry">
+      <Parameter name="length" type="double" value="0.03"/>
+      <Parameter name="refinement" type="int" value="0"/>
+    </ParameterList>
+    <ParameterList name="boundary">
+      <ParameterList name="moving end">
+        <Parameter name="face" type="string" value="x+"/>
+        <Parameter name="type" type="string" value="strain"/>
+        <ParameterList name="strain">
+          <Parameter name="type" type="string" value="control points"/>
+          <Parameter name="points" type="string" value="0 0; 0.02 0.01"/>
+        </ParameterList>
+      </ParameterList>
+      <ParameterList name="fixed end">
+        <Parameter name="face" type="string" value="x-"/>
+        <Parameter name="type" type="string" value="fixed"/>
+      </ParameterList>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="integrator">
+    <Parameter name="type" type="string" value="backward euler"/>
+  </ParameterList>
+  <ParameterList name="time">
+    <Parameter name="end" type="double" value="0.04"/>
+    <Parameter name="step" type="double" value="0.02"/>
+  </ParameterList>
+  <ParameterList name="output">
+    <ParameterList name="series">
+      <Parameter name="markers" type="string" value="middle 0.015 0.005 0.005"/>
+    </ParameterList>
+  </ParameterList>
+</ParameterList>
+)";

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "../support/drives.h"
+#include "../support/solvers.h"
+
+#include <myolines/oscillator/oscillator_system.h>
+#include <myolines/time/loop.h>
+
+#include <ostream>
+
+namespace myolines
+{
+  /// For the names of parameterised tests.
+  inline void PrintTo(const IntegratorEntry &entry, std::ostream *stream) { *stream << entry.facts.name; }
+} // namespace myolines
+
+namespace myolines::testing
+{
+  /// An oscillator, the solvers and one integrator, as a run puts them together.
+  class Experiment
+  {
+  public:
+    static Overrides tight() { return {"relative tolerance=1e-13", "absolute tolerance=0"}; }
+
+    Experiment(const IntegratorEntry &entry, OscillatorParameters parameters, const BoundaryRates rates = BoundaryRates::exact,
+               const Overrides &nonlinear = tight())
+      : solvers(nonlinear)
+      , system(std::move(parameters), solvers.ledger)
+      , integrator(entry.make(node(entry.schema), IntegratorContext{system, solvers.nonlinear, rates, solvers.ledger}))
+      , state(system.initial_state(0))
+    {}
+
+    /// Runs from the present state to @p end with the steps of @p n equal ones from 0.
+    void run(const double end, const double step, const std::vector<Observer *> &observers = {})
+    {
+      std::ostringstream size, until;
+      size.precision(17);
+      until.precision(17);
+      size << "step=" << step;
+      until << "end=" << end;
+      const scene::Node time    = node(time_schema(), {until.str(), size.str(), "control/type=fixed"});
+      const auto        control = make_step_control(time);
+      run_loop(system, *integrator, *control, loop_settings(time), state, observers, solvers.ledger);
+    }
+
+    Solvers                     solvers;
+    OscillatorSystem            system;
+    std::unique_ptr<Integrator> integrator;
+    State                       state;
+  };
+
+  inline std::vector<IntegratorEntry> registered(const bool dynamic)
+  {
+    std::vector<IntegratorEntry> entries;
+    for (const IntegratorEntry &entry : integrator_registry())
+      if (entry.facts.dynamic == dynamic)
+        entries.push_back(entry);
+    return entries;
+  }
+} // namespace myolines::testing

@@ -1,0 +1,156 @@
+// Energy balance of whole runs, and what runs do and do not compute.
+#include "../support/solvers.h"
+#include "fixtures.h"
+
+#include <myolines/muscle3d/measurements.h>
+#include <myolines/time/integrator.h>
+
+#include <gtest/gtest.h>
+
+namespace myolines
+{
+  namespace
+  {
+    /// strain(t) or activation(t) = height (1 - cos(pi t / 0.1))/2
+    class SmoothRise : public Drive
+    {
+    public:
+      explicit SmoothRise(const double height)
+        : height_(height)
+      {}
+      double              value(double t, Side) const override { return height_ / 2 * (1 - std::cos(omega * t)); }
+      double              first_derivative(double t, Side) const override { return height_ / 2 * omega * std::sin(omega * t); }
+      double              second_derivative(double t, Side) const override { return height_ / 2 * omega * omega * std::cos(omega * t); }
+      std::vector<double> kinks(double, double) const override { return {}; }
+
+    private:
+      static constexpr double omega = 31.41592653589793;
+      double                  height_;
+    };
+
+    Muscle3dParameters contraction()
+    {
+      Muscle3dParameters p = test::small_block(2, 3, 1);
+      p.fibre_direction    = {{std::cos(0.5), 0, std::sin(0.5)}};
+      p.activation         = std::make_shared<SmoothRise>(0.5);
+      BoundaryCondition held, moved;
+      held.name              = "fixed end";
+      moved.name             = "moving end";
+      moved.face             = 1;
+      moved.type             = BoundaryCondition::Type::strain;
+      moved.reference_length = p.geometry.size[0];
+      moved.strain           = std::make_shared<SmoothRise>(0.03);
+      p.boundary             = {moved, held};
+      return p;
+    }
+
+    struct Simulation
+    {
+      explicit Simulation(Muscle3dParameters parameters)
+        : solvers({"relative tolerance=1e-10"}, {}, {"type=direct"})
+        , system(std::move(parameters), MPI_COMM_WORLD, solvers.ledger)
+        , state(system.initial_state(0))
+      {}
+
+      /// Visits the state at the beginning and after every step.
+      template <typename Visitor>
+      void go(const std::string &method, const unsigned int steps, const double end, const Visitor &visit)
+      {
+        const IntegratorEntry &entry = integrator_entry(method);
+        const auto integrator = entry.make(testing::node(entry.schema), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
+        integrator->start(state);
+        visit(state);
+        for (unsigned int i = 0; i < steps; ++i)
+          {
+            const StepReport report = integrator->step(end / steps, state);
+            ASSERT_TRUE(report.accepted()) << report.reason;
+            visit(state);
+          }
+      }
+
+      testing::Solvers solvers;
+      Muscle3dSystem   system;
+      State            state;
+    };
+
+    /// |drift| of the energy balance at the end, and the largest energy seen.
+    std::pair<double, double> drift(const unsigned int steps)
+    {
+      Simulation run(contraction());
+      double     supplied = 0, rate = 0, t = 0, first = 0, energy = 0, largest = 0;
+      bool       started = false;
+      run.go("backward euler", steps, 0.1, [&](const State &state) {
+        const BodyMeasures m     = measure_body(run.system, state, SlabRule::quadrature_points);
+        double             power = m.active_power - m.dissipation;
+        for (const Reaction &reaction : measure_reactions(run.system, state))
+          power += reaction.power;
+        energy = m.kinetic + m.stored_volumetric + m.stored_base + m.stored_passive;
+        if (started)
+          supplied += (state.t - t) * (power + rate) / 2;
+        else
+          first = energy;
+        started = true;
+        rate    = power;
+        t       = state.t;
+        largest = std::max(largest, energy);
+      });
+      return {energy - first - supplied, largest};
+    }
+
+    TEST(Energy, BalanceClosesWithTheOrderOfTheMethod)
+    {
+      const auto [coarse, scale] = drift(40);
+      const auto [fine, unused]  = drift(80);
+      (void) unused;
+      EXPECT_LT(std::abs(fine), 0.02 * scale);
+      EXPECT_NEAR(coarse / fine, 2., 0.25) << coarse << " " << fine;
+    }
+
+    TEST(Energy, DissipationIsNotNegative)
+    {
+      Simulation run(contraction());
+      run.go("backward euler", 10, 0.1,
+             [&](const State &state) { EXPECT_GE(measure_body(run.system, state, SlabRule::quadrature_points).dissipation, -1e-12); });
+    }
+
+    TEST(Work, WithoutActivationNoActiveStress)
+    {
+      Muscle3dParameters p = contraction();
+      p.activation         = nullptr;
+      Simulation run(p);
+      run.go("backward euler", 2, 0.02, [](const State &) {});
+      const WorkLedger &ledger = run.solvers.ledger;
+      EXPECT_GT(ledger.counted("residual evaluations"), 0u);
+      for (const char *sweep : {"residual", "assembly", "tangent action"})
+        {
+          EXPECT_EQ(ledger.counted(std::string("active stress in ") + sweep), 0u);
+          EXPECT_EQ(ledger.counted(std::string("force-velocity in ") + sweep), 0u);
+        }
+    }
+
+    TEST(Work, QuasiStaticBuildsNoMassAndNoRate)
+    {
+      Muscle3dParameters p = contraction();
+      p.dynamic            = false;
+      Simulation run(p);
+      run.go("static", 2, 0.02, [](const State &) {});
+      const WorkLedger &ledger = run.solvers.ledger;
+      EXPECT_GT(ledger.counted("active stress in assembly"), 0u);
+      for (const char *sweep : {"residual", "assembly", "tangent action"})
+        {
+          EXPECT_EQ(ledger.counted(std::string("mass in ") + sweep), 0u);
+          EXPECT_EQ(ledger.counted(std::string("force-velocity in ") + sweep), 0u);
+        }
+    }
+
+    TEST(Work, ActiveDynamicScenesCountEverything)
+    {
+      Simulation run(contraction());
+      run.go("backward euler", 1, 0.01, [](const State &) {});
+      const WorkLedger &ledger = run.solvers.ledger;
+      EXPECT_EQ(ledger.counted("active stress in assembly"), ledger.counted("matrix assemblies"));
+      EXPECT_EQ(ledger.counted("mass in assembly"), ledger.counted("matrix assemblies"));
+      EXPECT_GT(ledger.counted("force-velocity in residual"), 0u);
+    }
+  } // namespace
+} // namespace myolines
