@@ -47,8 +47,11 @@ namespace myolines
         for (double x = -1.3; x < 1.9; x += 0.00371) // hits no knot
           {
             const double h = 1e-6, difference = (curve(x + h).value - curve(x - h).value) / (2 * h);
-            if (std::abs(curve(x + h).slope - curve(x - h).slope) < 1e-2 && std::abs(curve(x + h).value - curve(x - h).value) < 1e-3)
-              EXPECT_NEAR(curve(x).slope, difference, 1e-6) << name << " at " << x;
+            const bool at_a_knot = std::abs(curve(x + h).slope - curve(x - h).slope) > 1e-2 || std::abs(curve(x + h).value - curve(x - h).value) > 1e-3;
+            if (!at_a_knot)
+              {
+                EXPECT_NEAR(curve(x).slope, difference, 1e-6) << name << " at " << x;
+              }
           }
     }
 

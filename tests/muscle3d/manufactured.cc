@@ -49,7 +49,8 @@ namespace myolines
           condition.type         = BoundaryCondition::Type::formula;
           condition.face         = face;
           condition.displacement = {{u_x, "0", u_z}};
-          condition.velocity = condition.acceleration = {{"0", "0", "0"}};
+          condition.velocity     = {{"0", "0", "0"}};
+          condition.acceleration = condition.velocity;
           p.boundary.push_back(condition);
         }
       return p;

@@ -150,7 +150,9 @@ namespace myolines
     TEST_P(Taylor, Damping)
     {
       if (GetParam().dynamic && GetParam().active)
-        EXPECT_LT(error(system_, {0, 1, 0}), 1e-8);
+        {
+          EXPECT_LT(error(system_, {0, 1, 0}), 1e-8);
+        }
       else
         {
           Vector y(state_.u), x(state_.u);
