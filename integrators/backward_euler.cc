@@ -37,17 +37,10 @@ namespace myolines
         stage.t = state.t + dt;
         stage.c = {1, 1 / dt, 1 / (dt * dt)};
 
-        State next = state;
-        next.v     = 0;
-        next.a.equ(-1 / dt, state.v);
-        Vector increment(state.u);
-        increment = 0;
-
-        StepReport report;
-        record(stage_.solve(stage, next, increment), report);
-        if (report.accepted())
-          std::swap(state, next);
-        return report;
+        State predictors = state;
+        predictors.v     = 0;
+        predictors.a.equ(-1 / dt, state.v);
+        return stage_.step(stage, std::move(predictors), state);
       }
 
       void save(Archive &) const override {}

@@ -7,8 +7,9 @@ namespace myolines
     MethodFacts facts()
     {
       MethodFacts facts;
-      facts.name      = "static";
-      facts.summary   = "A sequence of equilibria: inertia and rates are left out, loads and boundaries follow the time.";
+      facts.name = "static";
+      facts.summary =
+          "A sequence of equilibria: inertia and rates are left out, loads and boundaries follow the time; boundary rates play no part.";
       facts.reference = "thesis (5.4.2), remark 5.6: V = 0 throughout";
       facts.order     = 0;
       facts.stability = "no dynamics";
@@ -36,17 +37,10 @@ namespace myolines
         stage.t = state.t + dt;
         stage.c = {1, 0, 0};
 
-        State next = state;
-        next.v     = 0;
-        next.a     = 0;
-        Vector increment(state.u);
-        increment = 0;
-
-        StepReport report;
-        record(stage_.solve(stage, next, increment), report);
-        if (report.accepted())
-          std::swap(state, next);
-        return report;
+        State predictors = state;
+        predictors.v     = 0;
+        predictors.a     = 0;
+        return stage_.step(stage, std::move(predictors), state);
       }
 
       void save(Archive &) const override {}

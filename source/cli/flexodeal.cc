@@ -235,6 +235,9 @@ namespace myolines
       settings.push_back({"time/end", format_number(steps.empty() ? whole * step : schedule_length(steps))});
       settings.push_back(steps.empty() ? scene::Setting{"time/step", peer.text("Time", "Time step size")}
                                        : scene::Setting{"time/steps", steps});
+      if (steps.empty() && std::abs(whole * step - peer_end) > 1e-4 * step)
+        out << "changed: Time / End time = " << peer.text("Time", "End time") << " is no whole number of steps; the scene ends at "
+            << format_number(whole * step) << " s\n";
       settings.push_back({"time/boundary rates", "scheme"});
       settings.push_back({"time/events", "land"});
       if (!steps.empty())

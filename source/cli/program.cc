@@ -5,6 +5,8 @@
 #include <myolines/cli/program.h>
 #include <myolines/output/text_file.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <CLI/CLI.hpp>
 
 #include <functional>
@@ -145,13 +147,18 @@ namespace myolines
         {
           err << "The solve failed: " << error.what() << "\n"
               << "What was computed before is in the output folder; run.log there tells how the steps went.\n"
-              << "To try: a smaller time/step, time/control of type \"cut back\", more solver/nonlinear/\"maximum iterations\"."
+              << "To try: a smaller time/step, time/control of type \"cut back\" with more \"maximum cuts\" (or a smaller \"minimum "
+                 "step\"), more "
+                 "solver/nonlinear/\"maximum iterations\"."
               << std::endl;
           return ExitCode::solve_failed;
         }
       catch (const std::exception &error)
         {
-          err << "Internal error: " << error.what() << std::endl;
+          // Other ranks may not know of it and wait: whoever fails says so and ends the whole job.
+          std::cerr << "Internal error: " << error.what() << std::endl;
+          if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+            MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
           return ExitCode::internal_error;
         }
     }

@@ -9,6 +9,34 @@ namespace myolines
 {
   namespace
   {
+    bool is_series(const std::string &name)
+    {
+      const std::string peer    = "-3d.csv";
+      const bool        of_peer = name.size() > peer.size() && name.compare(name.size() - peer.size(), peer.size(), peer) == 0;
+      for (const char *ours : {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "steps.csv", "ledger.json"})
+        if (name == ours)
+          return true;
+      return of_peer || (name.rfind("force_data-3d-", 0) == 0 && name.find(".csv") != std::string::npos);
+    }
+
+    /// Removes what an earlier run left, so that old series or fields never stand beside new ones: files of our own names
+    /// in a folder that holds our manifest.
+    void remove_old_results(const std::filesystem::path &folder)
+    {
+      if (!std::filesystem::exists(folder / "manifest.json"))
+        return;
+      std::vector<std::filesystem::path> old;
+      for (const auto &entry : std::filesystem::directory_iterator(folder))
+        {
+          const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
+          const bool        field = name.rfind("fields", 0) == 0 && (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd");
+          if (entry.is_regular_file() && (field || is_series(name)))
+            old.push_back(entry.path());
+        }
+      for (const auto &file : old)
+        std::filesystem::remove(file);
+    }
+
     /// Makes the folder and tries to write there, on the one rank that writes; all ranks learn the verdict.
     void prepare_folder(const std::filesystem::path &folder)
     {
@@ -18,6 +46,7 @@ namespace myolines
           {
             std::filesystem::create_directories(folder);
             replace_file(folder / "scene.resolved.xml", "");
+            remove_old_results(folder);
           }
         catch (const std::exception &error)
           {
@@ -77,6 +106,8 @@ namespace myolines
     const std::filesystem::path folder = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     prepare_folder(folder);
     replace_file(folder / "scene.resolved.xml", scene::resolved_xml(experiment.scene()));
+
+    write_manifest(folder, options.command_line, started, "running"); // what a killed run leaves
 
     const auto close = [&](const std::string &reason) {
       write_manifest(folder, options.command_line, started, reason);

@@ -2,6 +2,8 @@
 
 #include <myolines/muscle3d/loads.h>
 
+#include <set>
+
 namespace myolines
 {
   namespace
@@ -118,7 +120,7 @@ namespace myolines
           const double dv = p.JxW * p.J;
           m.slab_volume += dv;
           m.mean_stretch += dv * p.stretch;
-          m.mean_pennation += dv * std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI;
+          m.mean_pennation += dv * p.pennation;
           m.mean_strain_rate += dv * p.strain_rate;
           m.mean_velocity += dv * p.velocity;
         }
@@ -151,24 +153,27 @@ namespace myolines
     Vector           r     = space.make_vector();
     system.residual({state.t, Side::left, state.u, state.v, state.a}, r);
 
-    std::vector<Reaction> reactions;
-    for (const BoundaryCondition &condition : system.parameters().boundary)
+    // On an edge that two faces share the later condition holds, and the reaction is its own.
+    std::vector<Reaction>                     reactions;
+    std::set<dealii::types::global_dof_index> taken;
+    const auto                               &conditions = system.parameters().boundary;
+    for (auto condition = conditions.rbegin(); condition != conditions.rend(); ++condition)
       {
-        if (condition.type == BoundaryCondition::Type::traction)
+        if (condition->type == BoundaryCondition::Type::traction)
           continue;
         Reaction reaction;
-        reaction.condition = condition.name;
-        for (const auto node : space.face_nodes(condition.face))
+        reaction.condition = condition->name;
+        for (const auto node : space.face_nodes(condition->face))
           for (unsigned int c = 0; c < 3; ++c)
-            if (condition.components[c] && space.owned_unknowns().is_element(3 * node + c))
+            if (const auto i = 3 * node + c; condition->components[c] && space.owned_unknowns().is_element(i) && taken.insert(i).second)
               {
-                reaction.force[c] += r(3 * node + c);
-                reaction.power += r(3 * node + c) * state.v(3 * node + c);
+                reaction.force[c] += r(i);
+                reaction.power += r(i) * state.v(i);
               }
         for (unsigned int c = 0; c < 3; ++c)
           reaction.force[c] = dealii::Utilities::MPI::sum(reaction.force[c], space.communicator());
         reaction.power = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
-        reactions.push_back(reaction);
+        reactions.insert(reactions.begin(), reaction);
       }
     return reactions;
   }

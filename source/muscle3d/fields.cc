@@ -29,10 +29,7 @@ namespace myolines
           {"jacobian", [](const Parameters &, double, const PointState &p) { return p.J; }},
           {"stretch", [](const Parameters &, double, const PointState &p) { return p.stretch; }},
           {"strain rate", [](const Parameters &, double, const PointState &p) { return p.strain_rate; }},
-          {"pennation",
-           [](const Parameters &, double, const PointState &p) {
-             return std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI;
-           }},
+          {"pennation", [](const Parameters &, double, const PointState &p) { return p.pennation; }},
           {"fibre direction x", [](const Parameters &, double, const PointState &p) { return p.fibre[0] / p.stretch; }},
           {"fibre direction y", [](const Parameters &, double, const PointState &p) { return p.fibre[1] / p.stretch; }},
           {"fibre direction z", [](const Parameters &, double, const PointState &p) { return p.fibre[2] / p.stretch; }},

@@ -70,13 +70,21 @@ namespace myolines
     }
 
   private:
-    bool add_residual(const double *u, const double *v, const double *a, double *r)
+    /// Gradients, rates if needed, pressure and dilatation at the points. False if the state is inadmissible.
+    bool evaluate_state(const double *u, const double *v)
     {
       evaluate_F(u);
       if (!volumetric_state())
         return false;
       if (m.rate)
         evaluate_gradient(v, F_rate);
+      return true;
+    }
+
+    bool add_residual(const double *u, const double *v, const double *a, double *r)
+    {
+      if (!evaluate_state(u, v))
+        return false;
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
@@ -112,10 +120,7 @@ namespace myolines
       const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.rate);
       if (stiffness)
         {
-          evaluate_F(u);
-          volumetric_state();
-          if (m.rate)
-            evaluate_gradient(v, F_rate);
+          evaluate_state(u, v);
           T *dF = coefficients + 9 * n_points; // the first 9 n are wanted by add_integral
           evaluate_gradient(x, dF);
           T dp[max_modes];
@@ -175,10 +180,7 @@ namespace myolines
           values[q] = T(w[2] * m.tissue.density) * JxW(q);
       if (stiffness)
         {
-          evaluate_F(u);
-          volumetric_state();
-          if (m.rate)
-            evaluate_gradient(v, F_rate);
+          evaluate_state(u, v);
           for (int q = 0; q < n_points; ++q)
             {
               const Kinematics<T> k(F + 9 * q);

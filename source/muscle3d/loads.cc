@@ -3,44 +3,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <muParser.h>
-
 namespace myolines
 {
-  struct VectorFormula::Parsers
-  {
-    std::array<mu::Parser, 3> parser;
-    double                    x = 0, y = 0, z = 0, t = 0;
-  };
-
-  VectorFormula::VectorFormula(const std::array<std::string, 3> &text)
-    : text_(text)
-    , parsers_(std::make_unique<Parsers>())
-  {
-    for (unsigned int c = 0; c < 3; ++c)
-      {
-        mu::Parser &parser = parsers_->parser[c];
-        parser.DefineVar("x", &parsers_->x);
-        parser.DefineVar("y", &parsers_->y);
-        parser.DefineVar("z", &parsers_->z);
-        parser.DefineVar("t", &parsers_->t);
-        parser.DefineConst("pi", 3.14159265358979323846);
-        parser.SetExpr(text[c]);
-      }
-  }
-
-  VectorFormula::~VectorFormula()                         = default;
-  VectorFormula::VectorFormula(VectorFormula &&) noexcept = default;
-
-  double VectorFormula::operator()(const unsigned int component, const dealii::Point<3> &x, const double t) const
-  {
-    parsers_->x = x[0];
-    parsers_->y = x[1];
-    parsers_->z = x[2];
-    parsers_->t = t;
-    return parsers_->parser[component].Eval();
-  }
-
   Loads::Loads(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation)
     : discretisation_(discretisation)
   {

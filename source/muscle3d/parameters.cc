@@ -1,7 +1,6 @@
 #include <myolines/base/names.h>
+#include <myolines/muscle3d/formula.h>
 #include <myolines/muscle3d/parameters.h>
-
-#include <muParser.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +95,8 @@ namespace myolines
       each.text("face", std::nullopt, "Face of the block: " + join(face_names()) + ".");
       each.variant("type", std::nullopt, {{"fixed", fixed}, {"strain", strain}, {"formula", formula}, {"traction", traction}},
                    "Kind of condition.");
-      return Schema("Boundary conditions, each a list with a name of your choice; faces without one are free of traction.")
+      return Schema("Boundary conditions, each a list with a name of your choice; faces without one are free of traction. Where two faces "
+                    "meet, the later condition holds on the common edge.")
           .named_sections(each);
     }
 
@@ -144,34 +144,61 @@ namespace myolines
       return normalised(v, node, "direction");
     }
 
-    /// A formula must parse and evaluate at one point; later evaluations cannot fail.
-    std::string checked_formula(const Node &node, const std::string &parameter)
+    std::array<std::string, 3> read_formulas(const Node &node, const std::string &prefix)
     {
-      const std::string text = node.text(parameter);
-      try
-        {
-          mu::Parser parser;
-          double     zero = 0;
-          for (const char *variable : {"x", "y", "z", "t"})
-            parser.DefineVar(variable, &zero);
-          parser.DefineConst("pi", 3.14159265358979323846);
-          parser.SetExpr(text);
-          parser.Eval();
-        }
-      catch (const mu::ParserError &error)
-        {
-          node.refuse(parameter, "\"" + text + "\" is not a formula: " + error.GetMsg(),
-                      "an expression of x, y, z, t and pi, e.g. \"0.01*x*sin(2*pi*t)\"");
-        }
+      std::array<std::string, 3> text;
+      for (unsigned int c = 0; c < 3; ++c)
+        try
+          {
+            text[c] = node.text(prefix + axes[c]);
+            const VectorFormula formula(std::array<std::string, 3>{{text[c], "0", "0"}});
+          }
+        catch (const std::invalid_argument &error)
+          {
+            node.refuse(prefix + axes[c], error.what(), "one expression of x, y, z, t and pi, e.g. \"0.01*x*sin(2*pi*t)\"");
+          }
       return text;
     }
 
-    std::array<std::string, 3> read_formulas(const Node &node, const std::string &prefix)
+    /// In a dynamic scene the three formulas of a motion must be derivatives of each other: compared with differences.
+    void refuse_inconsistent_rates(const Node &node, const BoundaryCondition &condition)
     {
-      return {{checked_formula(node, prefix + "x"), checked_formula(node, prefix + "y"), checked_formula(node, prefix + "z")}};
+      const VectorFormula    u(condition.displacement), v(condition.velocity), a(condition.acceleration);
+      const dealii::Point<3> x(0.0123, 0.0047, 0.0031);
+      const double           h     = 1e-4;
+      const auto             check = [&](const VectorFormula &f, const VectorFormula &rate, const std::string &name, const unsigned int c) {
+        for (const double t : {0.0137, 0.0713, 0.139})
+          {
+            const double difference = (f(c, x, t + h) - f(c, x, t - h)) / (2 * h), given = rate(c, x, t);
+            if (std::abs(difference - given) > 0.02 * std::max(std::abs(difference), std::abs(given)) + 1e-9)
+              node.refuse(name + axes[c],
+                                      "is " + std::to_string(given) + " at t = " + std::to_string(t) + " s, where its formula should give about " +
+                                          std::to_string(difference),
+                                      "the time derivative of the formula before it");
+          }
+      };
+      for (unsigned int c = 0; c < 3; ++c)
+        if (condition.components[c])
+          {
+            check(u, v, "velocity ", c);
+            check(v, a, "acceleration ", c);
+          }
     }
 
-    BoundaryCondition read_condition(const Node &node, const double block_length)
+    /// The values a drive takes at its ends, at its kinks and at many instants of the first second must lie in @p range.
+    void refuse_values_outside(const Node &node, const Drive &drive, const Range &range, const std::string &quantity)
+    {
+      std::vector<double> times = drive.kinks(-1e9, 1e9);
+      times.insert(times.end(), {-1e9, 1e9});
+      for (int i = 0; i <= 1000; ++i)
+        times.push_back(1e-3 * i);
+      for (const double t : times)
+        if (const double value = drive.value(t, Side::right); !range.contains(value))
+          node.refuse("type", "the " + quantity + " is " + std::to_string(value) + " at t = " + std::to_string(t) + " s",
+                      quantity + " " + range.text());
+    }
+
+    BoundaryCondition read_condition(const Node &node, const double block_length, const bool dynamic)
     {
       BoundaryCondition condition;
       condition.name         = node.name();
@@ -186,6 +213,11 @@ namespace myolines
           condition.direction        = read_direction(node);
           condition.reference_length = node.has("reference length") ? node.number("reference length") : block_length;
           condition.strain           = make_drive(node.section("strain"));
+          refuse_values_outside(node.section("strain"), *condition.strain, Range{-1, 1e9, true, false}, "boundary strain");
+          for (unsigned int c = 0; c < 3; ++c)
+            if (condition.direction[c] != 0 && !condition.components[c])
+              node.refuse("direction", std::string("the motion has a component ") + axes[c] + " that is not prescribed",
+                          "a direction within the components", std::string("add ") + axes[c] + " to \"components\"");
         }
       else if (type == "formula")
         {
@@ -193,6 +225,8 @@ namespace myolines
           condition.displacement = read_formulas(node, "displacement ");
           condition.velocity     = read_formulas(node, "velocity ");
           condition.acceleration = read_formulas(node, "acceleration ");
+          if (dynamic)
+            refuse_inconsistent_rates(node, condition);
         }
       else if (type == "traction")
         {
@@ -277,6 +311,12 @@ namespace myolines
     p.degree        = system.section("discretisation").integer("degree");
     p.n_points      = system.section("discretisation").integer("quadrature points");
 
+    if (p.n_points < p.degree + 1)
+      system.section("discretisation")
+          .refuse("quadrature points",
+                  std::to_string(p.n_points) + " points per direction leave degree " + std::to_string(p.degree) + " without stiffness",
+                  "at least " + std::to_string(p.degree + 1) + " (degree + 1)");
+
     const Node &geometry = system.section("geometry");
     p.geometry.size      = {{geometry.number("length"), geometry.number("width"), geometry.number("height")}};
     p.geometry.cells     = {{static_cast<unsigned int>(geometry.integer("cells x")), static_cast<unsigned int>(geometry.integer("cells y")),
@@ -286,11 +326,14 @@ namespace myolines
     p.tissue          = read_tissue(system.section("tissues").section("muscle"));
     p.fibre_direction = read_fibre_direction(system.section("fibres"));
     for (const Node &condition : system.section("boundary").named())
-      p.boundary.push_back(read_condition(condition, p.geometry.size[0]));
+      p.boundary.push_back(read_condition(condition, p.geometry.size[0], p.dynamic));
     refuse_overlaps(system.section("boundary"), p.boundary);
 
     if (system.has("activation"))
-      p.activation = make_drive(system.section("activation"));
+      {
+        p.activation = make_drive(system.section("activation"));
+        refuse_values_outside(system.section("activation"), *p.activation, Range::closed(0, 1), "activation");
+      }
     if (p.activation && p.activation->identically_zero())
       p.activation = nullptr;
     if (system.has("body force"))

@@ -49,6 +49,7 @@ namespace myolines
     p.isochoric_rate        = p.isochoric_stretch * (growth - swelling / 3);
     p.strain_rate           = p.stretch * growth / e0;
     p.isochoric_strain_rate = p.isochoric_rate / e0;
+    p.pennation             = std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI;
     return p;
   }
 

@@ -26,6 +26,7 @@ namespace myolines
     double  isochoric_rate;        ///< lam-dot [1/s]
     double  strain_rate;           ///< d|a|/dt / e0 [-]
     double  isochoric_strain_rate; ///< lam-dot / e0 [-]
+    double  pennation;             ///< angle between a and x [degree], (6.2.24)
   };
 
   /// Walks over the quadrature points of the cells of this rank, batch by batch.

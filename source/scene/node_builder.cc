@@ -244,6 +244,8 @@ namespace myolines::scene
       return refuse(quoted(text) + " is not a truth value");
     if (entry.kind == Kind::number || entry.kind == Kind::integer)
       {
+        if (raw.type == "int" && !parse_integer(text))
+          return refuse(quoted(text) + " is not an integer, as type=\"int\" says");
         const std::optional<double> value = entry.kind == Kind::number ? parse_number(text) : std::optional<double>(parse_integer(text));
         if (!value)
           return refuse(quoted(text) + (entry.kind == Kind::number ? " is not a finite number" : " is not an integer"));

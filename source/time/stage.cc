@@ -151,6 +151,17 @@ namespace myolines
     return report;
   }
 
+  StepReport StageSolver::step(const Stage &stage, State predictors, State &state)
+  {
+    Vector increment(state.u);
+    increment = 0;
+    StepReport report;
+    record(solve(stage, predictors, increment), report);
+    if (report.accepted())
+      std::swap(state, predictors);
+    return report;
+  }
+
   State starting_state(const SemiDiscreteSystem &system, const double t0, const BoundaryRates rates)
   {
     State state = system.initial_state(t0);

@@ -1,9 +1,7 @@
 // Energy balance of whole runs, and what runs do and do not compute.
-#include "../support/solvers.h"
-#include "fixtures.h"
+#include "simulation.h"
 
 #include <myolines/muscle3d/measurements.h>
-#include <myolines/time/integrator.h>
 
 #include <gtest/gtest.h>
 
@@ -11,6 +9,8 @@ namespace myolines
 {
   namespace
   {
+    using test::Simulation;
+
     /// strain(t) or activation(t) = height (1 - cos(pi t / 0.1))/2
     class SmoothRise : public Drive
     {
@@ -43,35 +43,6 @@ namespace myolines
       p.boundary             = {moved, held};
       return p;
     }
-
-    struct Simulation
-    {
-      explicit Simulation(Muscle3dParameters parameters)
-        : solvers({"relative tolerance=1e-10"}, {}, {"type=direct"})
-        , system(std::move(parameters), MPI_COMM_WORLD, solvers.ledger)
-        , state(system.initial_state(0))
-      {}
-
-      /// Visits the state at the beginning and after every step.
-      template <typename Visitor>
-      void go(const std::string &method, const unsigned int steps, const double end, const Visitor &visit)
-      {
-        const IntegratorEntry &entry = integrator_entry(method);
-        const auto integrator = entry.make(testing::node(entry.schema), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
-        integrator->start(state);
-        visit(state);
-        for (unsigned int i = 0; i < steps; ++i)
-          {
-            const StepReport report = integrator->step(end / steps, state);
-            ASSERT_TRUE(report.accepted()) << report.reason;
-            visit(state);
-          }
-      }
-
-      testing::Solvers solvers;
-      Muscle3dSystem   system;
-      State            state;
-    };
 
     /// |drift| of the energy balance at the end, and the largest energy seen.
     std::pair<double, double> drift(const unsigned int steps)

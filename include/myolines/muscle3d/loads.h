@@ -1,6 +1,7 @@
 #pragma once
 
 #include <myolines/muscle3d/discretisation.h>
+#include <myolines/muscle3d/formula.h>
 #include <myolines/system/point.h>
 
 #include <memory>
@@ -9,24 +10,6 @@
 
 namespace myolines
 {
-  /// Three formulas of x, y, z and t (muParser), evaluated many times.
-  class VectorFormula
-  {
-  public:
-    explicit VectorFormula(const std::array<std::string, 3> &text);
-    ~VectorFormula();
-    VectorFormula(VectorFormula &&) noexcept;
-
-    double operator()(unsigned int component, const dealii::Point<3> &x, double t) const;
-    /// True if the text of the component is just "0".
-    bool zero(unsigned int component) const { return text_[component] == "0"; }
-
-  private:
-    struct Parsers;
-    std::array<std::string, 3> text_;
-    std::unique_ptr<Parsers>   parsers_;
-  };
-
   /// What the outside does to the muscle: prescribed motions, tractions and body force, evaluated at nodes and points.
   class Loads
   {

@@ -62,7 +62,7 @@ namespace myolines
   Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);
 
   /// Force with which each boundary condition that prescribes motion pulls on the muscle: the residual summed over its
-  /// components [N], in the order of the scene.
+  /// components [N], in the order of the scene. An unknown on a shared edge belongs to the later condition.
   struct Reaction
   {
     std::string          condition;
@@ -94,8 +94,9 @@ namespace myolines
   /// Point and cell fields for visualisation, see write_fields().
   const std::vector<std::string> &field_names();
 
-  /// Writes @p fields (names of field_names()) of @p state to folder/fields-NNNN.vtu (.pvtu on several ranks), with
-  /// high-order cells; returns the file name. Fields at quadrature points are projected cell-wise (L2, degree of the displacement).
+  /// Writes @p fields (names of field_names()) of @p state to folder/fields-NNNN.vtu (fields_NNNN.pvtu and its pieces on several ranks),
+  /// with high-order cells; returns the file name. Fields at quadrature points are projected cell-wise (L2, degree of the pressure, at
+  /// least one).
   std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
                            const std::string &folder, unsigned int number);
 } // namespace myolines

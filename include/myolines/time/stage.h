@@ -31,6 +31,9 @@ namespace myolines
     /// On success @p point is the stage value at stage.t and d the solution; on failure both are unspecified.
     NonlinearReport solve(const Stage &stage, State &point, Vector &d);
 
+    /// A step that is one stage, solved from d = 0: @p state becomes its value if it is accepted, else stays as it is.
+    StepReport step(const Stage &stage, State predictors, State &state);
+
   private:
     class Problem;
     std::unique_ptr<Problem> problem_;

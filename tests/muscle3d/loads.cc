@@ -1,0 +1,115 @@
+// Loads from outside, against closed forms.
+#include "simulation.h"
+
+#include <myolines/muscle3d/measurements.h>
+
+namespace myolines
+{
+  namespace
+  {
+    using Condition = BoundaryCondition;
+
+    Condition free_to_slide(const unsigned int face, const unsigned int held_component)
+    {
+      Condition condition;
+      condition.name       = "face " + std::to_string(face);
+      condition.face       = face;
+      condition.components = {{held_component == 0, held_component == 1, held_component == 2}};
+      return condition;
+    }
+
+    /// Stretches (l1, l2, l2) of a compressible Yeoh bar under P_11 = T, P_22 = 0, by Newton on the two equations.
+    std::pair<double, double> uniaxial(const TissueParameters &tissue, const double T)
+    {
+      const auto stress = [&](const double l1, const double l2) {
+        const double J = l1 * l2 * l2, power = std::pow(J, -2. / 3), I1 = power * (l1 * l1 + 2 * l2 * l2), x = I1 - 3;
+        const double psi1 = tissue.base.scale * (tissue.base.c[0] + 2 * tissue.base.c[1] * x + 3 * tissue.base.c[2] * x * x);
+        const double p    = tissue.bulk_modulus / 2 * (J - 1 / J);
+        const auto   P    = [&](const double l) { return p * J / l + psi1 * (2 * power * l - 2. / 3 * I1 / l); };
+        return std::make_pair(P(l1) - T, P(l2));
+      };
+      double l1 = 1, l2 = 1;
+      for (int i = 0; i < 50; ++i)
+        {
+          const double h  = 1e-7;
+          const auto   r  = stress(l1, l2);
+          const auto   d1 = stress(l1 + h, l2);
+          const auto   d2 = stress(l1, l2 + h);
+          const double a = (d1.first - r.first) / h, b = (d2.first - r.first) / h;
+          const double c = (d1.second - r.second) / h, d = (d2.second - r.second) / h;
+          const double det = a * d - b * c;
+          l1 -= (d * r.first - b * r.second) / det;
+          l2 -= (a * r.second - c * r.first) / det;
+        }
+      return {l1, l2};
+    }
+
+    TEST(Traction, StretchesABarAsInClosedForm)
+    {
+      const double       T  = 3e4; // Pa
+      Muscle3dParameters p  = test::small_block(2, 3, 1);
+      p.dynamic             = false;
+      p.activation          = nullptr;
+      p.tissue.fibre.sigma0 = 0;
+      Condition pull;
+      pull.name       = "pull";
+      pull.type       = Condition::Type::traction;
+      pull.face       = 1;
+      pull.components = {{false, false, false}};
+      pull.traction   = {{"3e4", "0", "0"}};
+      p.boundary      = {free_to_slide(0, 0), free_to_slide(2, 1), free_to_slide(4, 2), pull};
+
+      test::Simulation simulation(p);
+      simulation.go("static", 1, 1., [](const State &) {});
+      const auto [l1, l2] = uniaxial(p.tissue, T);
+      EXPECT_GT(l1, 1.05);
+      const MarkerProbe corner(simulation.system, {{"corner", dealii::Point<3>(0.03, 0.01, 0.01)}}, "test");
+      const auto        u = corner.displacements(simulation.state)[0];
+      EXPECT_NEAR(u[0], 0.03 * (l1 - 1), 1e-10);
+      EXPECT_NEAR(u[1], 0.01 * (l2 - 1), 1e-10);
+      EXPECT_NEAR(u[2], 0.01 * (l2 - 1), 1e-10);
+      EXPECT_NEAR(measure_reactions(simulation.system, simulation.state)[0].force[0], -T * 1e-4, 1e-9);
+    }
+
+    TEST(BodyForce, AcceleratesAFreeBodyAsAWhole)
+    {
+      Muscle3dParameters p = test::small_block(2, 3, 1);
+      p.activation         = nullptr;
+      p.body_force         = {{"1060*2*t", "0", "1060*9.81"}};
+      test::Simulation simulation(p);
+      const unsigned   n = 10;
+      simulation.go("backward euler", n, 0.1, [](const State &) {});
+      // Backward Euler on a = 2 t: v_n = dt sum 2 t_k = 2 dt^2 n (n + 1)/2; on constant a: v = a t.
+      const BodyMeasures m  = measure_body(simulation.system, simulation.state, SlabRule::quadrature_points);
+      const double       vx = 0.01 * 0.01 * n * (n + 1), vz = 9.81 * 0.1, mass = 1060 * 3e-6;
+      EXPECT_NEAR(m.kinetic, mass / 2 * (vx * vx + vz * vz), 1e-9 * m.kinetic);
+      EXPECT_NEAR(m.body_force_power, mass * (2 * 0.1 * vx + 9.81 * vz), 1e-9 * m.body_force_power);
+      EXPECT_NEAR(m.min_jacobian, 1, 1e-9);
+    }
+
+    TEST(PrescribedMotion, FormulasGiveTheRigidRotationTheyDescribe)
+    {
+      Muscle3dParameters p = test::small_block(1, 2, 1);
+      p.activation         = nullptr;
+      p.dynamic            = false;
+      for (const unsigned int face : {0u, 1u})
+        {
+          Condition turn;
+          turn.name         = "turn " + std::to_string(face);
+          turn.type         = Condition::Type::formula;
+          turn.face         = face;
+          turn.displacement = {{"x*cos(t)-z*sin(t)-x", "0", "x*sin(t)+z*cos(t)-z"}};
+          turn.velocity     = {{"-x*sin(t)-z*cos(t)", "0", "x*cos(t)-z*sin(t)"}};
+          turn.acceleration = {{"-x*cos(t)+z*sin(t)", "0", "-x*sin(t)-z*cos(t)"}};
+          p.boundary.push_back(turn);
+        }
+      test::Simulation simulation(p);
+      simulation.go("static", 4, 0.4, [](const State &) {});
+      const MarkerProbe middle(simulation.system, {{"middle", dealii::Point<3>(0.015, 0.005, 0.01)}}, "test");
+      const auto        u = middle.displacements(simulation.state)[0];
+      EXPECT_NEAR(u[0], 0.015 * std::cos(0.4) - 0.01 * std::sin(0.4) - 0.015, 1e-11);
+      EXPECT_NEAR(u[1], 0, 1e-11);
+      EXPECT_NEAR(u[2], 0.015 * std::sin(0.4) + 0.01 * std::cos(0.4) - 0.01, 1e-11);
+    }
+  } // namespace
+} // namespace myolines

@@ -1,0 +1,64 @@
+// Newton's method with the exact tangent: few iterations, whatever the step.
+#include "simulation.h"
+
+namespace myolines
+{
+  namespace
+  {
+    /// activation(t) = t / 0.2 s
+    class Ramp : public Drive
+    {
+    public:
+      double              value(double t, Side) const override { return t / 0.2; }
+      double              first_derivative(double, Side) const override { return 5; }
+      double              second_derivative(double, Side) const override { return 0; }
+      std::vector<double> kinks(double, double) const override { return {}; }
+    };
+
+    /// The isometric contraction of the peer's reference runs: 3 x 1 x 1 cm, pennation 30 degrees, 64 cells, 5 points.
+    Muscle3dParameters isometric()
+    {
+      Muscle3dParameters p = test::small_block(2, 5, 2);
+      p.fibre_direction    = {{std::sqrt(0.75), 0, 0.5}};
+      p.activation         = std::make_shared<Ramp>();
+      BoundaryCondition left, right;
+      left.name  = "fixed end";
+      right.name = "moving end";
+      right.face = 1;
+      p.boundary = {right, left};
+      return p;
+    }
+
+    class NewtonIterations : public ::testing::TestWithParam<unsigned int>
+    {
+    };
+
+    // From U_n to 1e-8 of the residual after the Dirichlet lift, with the default inexact linear solves.
+    TEST_P(NewtonIterations, AreAtMostFiveAndAHalfPerStep)
+    {
+      test::Simulation simulation(isometric(), {"relative tolerance=1e-8", "absolute tolerance=1e-14"});
+      simulation.go("backward euler", GetParam(), 0.2, [](const State &) {});
+      const double per_step = double(simulation.solvers.ledger.counted("newton iterations")) / GetParam();
+      RecordProperty("Newton iterations per step", std::to_string(per_step));
+      EXPECT_LE(per_step, 5.5);
+      EXPECT_GE(per_step, 3.); // fewer would mean that the tolerance is not the one named above
+    }
+
+    INSTANTIATE_TEST_SUITE_P(Steps, NewtonIterations, ::testing::Values(8u, 16u, 32u));
+
+    TEST(NewtonIterationsOf, TheSymmetrisedTangentAreMore)
+    {
+      unsigned int iterations[2];
+      for (const bool exact : {false, true})
+        {
+          Muscle3dParameters p = isometric();
+          p.exact_tangent      = exact;
+          p.n_points           = 3;
+          test::Simulation simulation(p, {"relative tolerance=1e-8", "absolute tolerance=1e-14"});
+          simulation.go("backward euler", 4, 0.05, [](const State &) {});
+          iterations[exact] = simulation.solvers.ledger.counted("newton iterations");
+        }
+      EXPECT_GT(iterations[0], iterations[1]);
+    }
+  } // namespace
+} // namespace myolines
