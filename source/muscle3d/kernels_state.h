@@ -47,7 +47,7 @@ namespace myolines
           {
             const double *at = x + 3 * std::size_t(cells.nodes[i * n_lanes + lane]);
             for (int c = 0; c < 3; ++c)
-              nodal[c * n_nodes + i].v[lane] = at[c];
+              nodal[c * n_nodes + i].set(lane, at[c]);
           }
     }
 
@@ -58,7 +58,7 @@ namespace myolines
           {
             double *at = x + 3 * std::size_t(cells.nodes[i * n_lanes + lane]);
             for (int c = 0; c < 3; ++c)
-              at[c] += nodal[c * n_nodes + i].v[lane];
+              at[c] += nodal[c * n_nodes + i][lane];
           }
     }
 
@@ -150,7 +150,7 @@ namespace myolines
         }
       project(moments, pressure);
       for (int lane = 0; lane < cells.n_filled; ++lane)
-        if (admissible.v[lane] < 0)
+        if (admissible[lane] < 0)
           return false;
       return true;
     }

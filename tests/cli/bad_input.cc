@@ -57,6 +57,21 @@ namespace
       {"jump", o, "0.3 1", "0 1", "strictly ascending"},
       {"unsorted_strain", m, "0 0; 0.02 0.01", "0 0; -0.02 0.01", "system/boundary/moving end/strain/points"},
       {"unknown_face", m, "\"x+\"", "\"front\"", "one of x-, x+, y-, y+, z-, z+"},
+      {"inside_out", m, "0 0; 0.02 0.01", "0 0; 0.02 -1.2", "the boundary strain is -1.2"},
+      {"too_active", m, "<ParameterList name=\"boundary\">",
+       "<ParameterList name=\"activation\"><Parameter name=\"type\" type=\"string\" value=\"constant\"/>"
+       "<Parameter name=\"value\" type=\"double\" value=\"5\"/></ParameterList><ParameterList name=\"boundary\">",
+       "activation in [0, 1]"},
+      {"too_few_points", m, "<ParameterList name=\"boundary\">",
+       "<ParameterList name=\"discretisation\"><Parameter name=\"quadrature points\" type=\"int\" value=\"2\"/></ParameterList>"
+       "<ParameterList name=\"boundary\">",
+       "at least 3 (degree + 1)"},
+      {"decimal_comma", m, "<ParameterList name=\"boundary\">",
+       "<ParameterList name=\"body force\"><Parameter name=\"x\" type=\"string\" value=\"0,5*t\"/></ParameterList>"
+       "<ParameterList name=\"boundary\">",
+       "system/body force/x"},
+      {"motion_not_prescribed", m, "value=\"strain\"/>", "value=\"strain\"/><Parameter name=\"components\" type=\"string\" value=\"y z\"/>",
+       "a component x that is not prescribed"},
       {"conditions_overlap", m, "\"x+\"", "\"x-\"", "moving end"},
       {"marker_outside", m, "0.015 0.005", "0.015 0.5", "middle"},
       {"malformed_marker", m, "middle 0.015", "middle x", "output/series/markers"},

@@ -71,6 +71,26 @@ namespace myolines
       EXPECT_NEAR(measure_reactions(simulation.system, simulation.state)[0].force[0], -T * 1e-4, 1e-9);
     }
 
+    TEST(Reactions, OnSharedEdgesAreCountedOnce)
+    {
+      Muscle3dParameters p = test::small_block(2, 3, 1); // active: pulls on what holds it
+      p.dynamic            = false;
+      Condition whole;
+      whole.name = "held";
+      p.boundary = {whole, free_to_slide(4, 2), free_to_slide(5, 2)};
+      test::Simulation simulation(p);
+      simulation.go("static", 1, 1., [](const State &) {});
+      dealii::Tensor<1, 3> sum;
+      double               largest = 0;
+      for (const Reaction &reaction : measure_reactions(simulation.system, simulation.state))
+        {
+          sum += reaction.force;
+          largest = std::max(largest, reaction.force.norm());
+        }
+      EXPECT_GT(largest, 0.1);
+      EXPECT_LT(sum.norm(), 1e-8 * largest); // nothing else acts on the body
+    }
+
     TEST(BodyForce, AcceleratesAFreeBodyAsAWhole)
     {
       Muscle3dParameters p = test::small_block(2, 3, 1);

@@ -15,51 +15,69 @@ namespace myolines
 
 #define MYOLINES_INLINE inline __attribute__((always_inline))
 
-  /// One double per lane. The tag makes every function that takes a Lanes a different function for each instruction
-  /// set, so the linker can never put a wide copy of one into a program running on a narrow processor.
+  /// One double per lane, as vectors of the width that the instruction set has. The tag makes every function that takes a
+  /// Lanes a different function for each instruction set, so the linker can never put a wide copy of one into a program
+  /// running on a narrow processor.
   template <InstructionSet isa>
   struct Lanes
   {
-    typedef double    Vec __attribute__((vector_size(n_lanes * sizeof(double))));
-    typedef long long Mask __attribute__((vector_size(n_lanes * sizeof(double))));
-    Vec               v;
+    static constexpr int width   = isa == InstructionSet::avx512 ? 8 : isa == InstructionSet::avx2 ? 4 : 2;
+    static constexpr int n_parts = n_lanes / width;
+    typedef double       Vec __attribute__((vector_size(width * sizeof(double))));
+    typedef long Bits __attribute__((vector_size(width * sizeof(double))));
+    struct Mask
+    {
+      Bits part[n_parts];
+    };
+    Vec part[n_parts];
 
     MYOLINES_INLINE Lanes() {} // uninitialised, like a double
     MYOLINES_INLINE Lanes(const double x)
-      : v(Vec{} + x)
-    {}
-    MYOLINES_INLINE explicit Lanes(const Vec &x)
-      : v(x)
-    {}
-    MYOLINES_INLINE double operator[](const int lane) const { return v[lane]; }
-    MYOLINES_INLINE void   set(const int lane, const double x) { v[lane] = x; }
-
-    MYOLINES_INLINE Lanes &operator+=(const Lanes &b)
     {
-      v += b.v;
-      return *this;
+      for (int p = 0; p < n_parts; ++p)
+        part[p] = Vec{} + x;
     }
-    MYOLINES_INLINE Lanes &operator-=(const Lanes &b)
-    {
-      v -= b.v;
-      return *this;
-    }
-    MYOLINES_INLINE Lanes &operator*=(const Lanes &b)
-    {
-      v *= b.v;
-      return *this;
-    }
+    MYOLINES_INLINE double operator[](const int lane) const { return part[lane / width][lane % width]; }
+    MYOLINES_INLINE void   set(const int lane, const double x) { part[lane / width][lane % width] = x; }
 
-    friend MYOLINES_INLINE Lanes operator+(const Lanes &a, const Lanes &b) { return Lanes(Vec(a.v + b.v)); }
-    friend MYOLINES_INLINE Lanes operator-(const Lanes &a, const Lanes &b) { return Lanes(Vec(a.v - b.v)); }
-    friend MYOLINES_INLINE Lanes operator*(const Lanes &a, const Lanes &b) { return Lanes(Vec(a.v * b.v)); }
-    friend MYOLINES_INLINE Lanes operator/(const Lanes &a, const Lanes &b) { return Lanes(Vec(a.v / b.v)); }
-    friend MYOLINES_INLINE Lanes operator-(const Lanes &a) { return Lanes(Vec(-a.v)); }
-    friend MYOLINES_INLINE Mask  operator<(const Lanes &a, const Lanes &b) { return a.v < b.v; }
-    friend MYOLINES_INLINE Mask  operator<=(const Lanes &a, const Lanes &b) { return a.v <= b.v; }
-    friend MYOLINES_INLINE Mask  operator>(const Lanes &a, const Lanes &b) { return a.v > b.v; }
+    MYOLINES_INLINE Lanes &operator+=(const Lanes &b) { return *this = *this + b; }
+    MYOLINES_INLINE Lanes &operator-=(const Lanes &b) { return *this = *this - b; }
+    MYOLINES_INLINE Lanes &operator*=(const Lanes &b) { return *this = *this * b; }
 
-    friend MYOLINES_INLINE Lanes select(const Mask &where, const Lanes &yes, const Lanes &no) { return Lanes(Vec(where ? yes.v : no.v)); }
+    friend MYOLINES_INLINE Lanes operator+(const Lanes &a, const Lanes &b)
+    {
+      return each([&](const int p) { return a.part[p] + b.part[p]; });
+    }
+    friend MYOLINES_INLINE Lanes operator-(const Lanes &a, const Lanes &b)
+    {
+      return each([&](const int p) { return a.part[p] - b.part[p]; });
+    }
+    friend MYOLINES_INLINE Lanes operator*(const Lanes &a, const Lanes &b)
+    {
+      return each([&](const int p) { return a.part[p] * b.part[p]; });
+    }
+    friend MYOLINES_INLINE Lanes operator/(const Lanes &a, const Lanes &b)
+    {
+      return each([&](const int p) { return a.part[p] / b.part[p]; });
+    }
+    friend MYOLINES_INLINE Lanes operator-(const Lanes &a)
+    {
+      return each([&](const int p) { return -a.part[p]; });
+    }
+    friend MYOLINES_INLINE Mask operator<(const Lanes &a, const Lanes &b)
+    {
+      return compare([&](const int p) { return a.part[p] < b.part[p]; });
+    }
+    friend MYOLINES_INLINE Mask operator<=(const Lanes &a, const Lanes &b)
+    {
+      return compare([&](const int p) { return a.part[p] <= b.part[p]; });
+    }
+    friend MYOLINES_INLINE Mask operator>(const Lanes &a, const Lanes &b) { return b < a; }
+
+    friend MYOLINES_INLINE Lanes select(const Mask &where, const Lanes &yes, const Lanes &no)
+    {
+      return each([&](const int p) { return where.part[p] ? yes.part[p] : no.part[p]; });
+    }
     friend MYOLINES_INLINE Lanes sqrt(const Lanes &x) { return x.map(__builtin_sqrt); }
     friend MYOLINES_INLINE Lanes cbrt(const Lanes &x) { return x.map(__builtin_cbrt); }
     friend MYOLINES_INLINE Lanes sin(const Lanes &x) { return x.map(__builtin_sin); }
@@ -67,11 +85,27 @@ namespace myolines
 
   private:
     template <typename Function>
+    static MYOLINES_INLINE Lanes each(const Function &f)
+    {
+      Lanes y;
+      for (int p = 0; p < n_parts; ++p)
+        y.part[p] = f(p);
+      return y;
+    }
+    template <typename Function>
+    static MYOLINES_INLINE Mask compare(const Function &f)
+    {
+      Mask y;
+      for (int p = 0; p < n_parts; ++p)
+        y.part[p] = f(p);
+      return y;
+    }
+    template <typename Function>
     MYOLINES_INLINE Lanes map(const Function &f) const
     {
       Lanes y;
       for (int lane = 0; lane < n_lanes; ++lane)
-        y.v[lane] = f(v[lane]);
+        y.set(lane, f((*this)[lane]));
       return y;
     }
   };
