@@ -193,13 +193,15 @@ namespace myolines
       settings.push_back({path + "/points", join(read_rows(file, 0, 2, "\"t value\", two finite numbers"), "; ")});
     }
 
-    void add_geometry(Settings &settings, const PeerParameters &peer)
+    void add_geometry(Settings &settings, const PeerParameters &peer, std::ostream &out)
     {
       const double scale = peer.positive("Geometry", "Grid scale");
       for (const auto &[name, path] : {std::pair("Length", "length"), std::pair("Width", "width"), std::pair("Height", "height")})
         settings.push_back({std::string("system/geometry/") + path, format_number(scale * peer.positive("Geometry", name))});
-      // the peer refines at least once
-      settings.push_back({"system/geometry/refinement", std::to_string(std::max(1, peer.integer("Geometry", "Global refinement", 0, 8)))});
+      const int refinement = peer.integer("Geometry", "Global refinement", 0, 8);
+      if (refinement == 0)
+        out << "changed: Geometry / Global refinement = 0 becomes 1 (the peer refines at least once)\n";
+      settings.push_back({"system/geometry/refinement", std::to_string(std::max(1, refinement))});
     }
 
     /// The line of action of the peer is x, so its ends are the faces 0 and 1.
@@ -266,7 +268,7 @@ namespace myolines
       for (const Rule &rule : rules)
         if (rule.path[0] != '\0')
           settings.push_back({rule.path, peer.text(rule.section, rule.name)});
-      add_geometry(settings, peer);
+      add_geometry(settings, peer, out);
       add_boundary(settings, peer, options.strain);
       add_profile(settings, "system/activation", options.activation);
       add_time(settings, peer, options.steps, out);

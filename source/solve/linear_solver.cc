@@ -239,8 +239,8 @@ namespace myolines
         try
           {
             krylov(cg, matrix, b, x, inner, report);
-            report.reason =
-                std::string(cg ? "cg" : "gmres") + " has not converged within " + std::to_string(maximum_iterations_) + " iterations";
+            report.reason = std::string(cg ? "cg" : "gmres") + " has not converged: stopped after " + std::to_string(report.iterations) +
+                            " of at most " + std::to_string(maximum_iterations_) + " iterations";
           }
         catch (const std::exception &error)
           {
