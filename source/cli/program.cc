@@ -146,11 +146,7 @@ namespace myolines
       catch (const SolveError &error)
         {
           err << "The solve failed: " << error.what() << "\n"
-              << "What was computed before is in the output folder; run.log there tells how the steps went.\n"
-              << "To try: a smaller time/step, time/control of type \"cut back\" with more \"maximum cuts\" (or a smaller \"minimum "
-                 "step\"), more "
-                 "solver/nonlinear/\"maximum iterations\"."
-              << std::endl;
+              << "What was computed before is in the output folder; run.log there tells how the steps went." << std::endl;
           return ExitCode::solve_failed;
         }
       catch (const std::exception &error)

@@ -116,7 +116,9 @@ namespace myolines
         if (control_.rejected(state_.t, record.dt, record.report))
           return;
         std::ostringstream text;
-        text << "The step from t = " << state_.t << " s of size " << record.dt << " s failed: " << record.report.reason;
+        text << "The step from t = " << state_.t << " s of size " << record.dt << " s failed: " << record.report.reason
+             << ". To try: a smaller \"time/step\", \"time/control/type\" = \"cut back\" with more \"maximum cuts\", or more "
+                "\"solver/nonlinear/maximum iterations\".";
         throw SolveError(text.str());
       }
 

@@ -39,7 +39,7 @@ namespace myolines
       for (int lane = 0; lane < n_lanes; ++lane)
         {
           const double s = x[lane];
-          EXPECT_EQ(z[lane], s < 0 ? std::sin(s) * 2 - std::cbrt(2.) : std::cos(s) / 2 + std::sqrt(2.));
+          EXPECT_DOUBLE_EQ(z[lane], s < 0 ? std::sin(s) * 2 - std::cbrt(2.) : std::cos(s) / 2 + std::sqrt(2.));
         }
     }
   } // namespace
