@@ -24,7 +24,7 @@ namespace myolines
           parser.DefineVar("y", &parsers_->y);
           parser.DefineVar("z", &parsers_->z);
           parser.DefineVar("t", &parsers_->t);
-          parser.DefineConst("pi", 3.14159265358979323846);
+          parser.DefineConst("pi", dealii::numbers::PI);
           parser.SetExpr(text[c]);
           parser.Eval();
           if (parser.GetNumResults() != 1)

@@ -269,7 +269,7 @@ namespace myolines
     {
       if (fibres.text("type") == "direction")
         return normalised({{fibres.number("x"), fibres.number("y"), fibres.number("z")}}, fibres, "type");
-      const double angle = fibres.number("angle") * 3.14159265358979323846 / 180;
+      const double angle = fibres.number("angle") * dealii::numbers::PI / 180;
       return {{std::cos(angle), 0, std::sin(angle)}};
     }
   } // namespace

@@ -1,30 +1,20 @@
 #include <myolines/base/names.h>
 #include <myolines/output/muscle3d_fields.h>
 #include <myolines/output/text_file.h>
+#include <myolines/scene/numbers.h>
 
 #include <algorithm>
 #include <sstream>
 
 namespace myolines
 {
-  namespace
-  {
-    std::string trimmed(const std::string &text)
-    {
-      const std::size_t first = text.find_first_not_of(" \t");
-      if (first == std::string::npos)
-        return "";
-      return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-    }
-  } // namespace
-
   std::vector<std::string> read_field_names(const scene::Node &fields, const std::vector<std::string> &known)
   {
     std::vector<std::string> names;
     std::istringstream       text(fields.text("what"));
     for (std::string piece; std::getline(text, piece, ',');)
       {
-        const std::string name = trimmed(piece);
+        const std::string name = scene::trimmed(piece);
         if (std::find(known.begin(), known.end(), name) == known.end())
           {
             const std::string nearest = nearest_name(name, known);

@@ -14,8 +14,7 @@ namespace myolines
     using scene::Range;
     using scene::Schema;
 
-    /// Numbered as BoundaryCondition::face.
-    const std::string              moving_face = "moving face";
+    const std::string moving_face = "moving face";
 
     Schema series_schema()
     {
