@@ -1,3 +1,5 @@
+#include "current_ghosts.h"
+
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/measurements.h>
 
@@ -56,8 +58,8 @@ namespace myolines
 
   std::vector<dealii::Tensor<1, 3>> MarkerProbe::displacements(const State &state) const
   {
-    Vector u(state.u);
-    u.update_ghost_values();
+    const CurrentGhosts               ghosted(state.u);
+    const Vector                     &u = ghosted.vector();
     std::vector<dealii::Tensor<1, 3>> result(markers_.size());
     for (std::size_t m = 0; m < markers_.size(); ++m)
       {

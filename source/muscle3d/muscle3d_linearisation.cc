@@ -2,16 +2,6 @@
 
 namespace myolines
 {
-  CurrentGhosts::CurrentGhosts(const Vector &x, const bool wanted)
-    : x_(x)
-  {
-    if (wanted && !x.has_ghost_elements())
-      {
-        copy_ = std::make_unique<Vector>(x);
-        copy_->update_ghost_values();
-      }
-  }
-
   void count_terms(const KernelModel &model, const char *sweep, WorkLedger &ledger)
   {
     if (model.active)

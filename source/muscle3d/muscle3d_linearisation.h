@@ -1,5 +1,7 @@
 #pragma once
 
+#include "current_ghosts.h"
+
 #include <myolines/fem/block_matrix.h>
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/system/ledger.h>
@@ -9,18 +11,6 @@
 
 namespace myolines
 {
-  /// Read access to a vector whose ghosts are current, updating a copy only if they are not.
-  class CurrentGhosts
-  {
-  public:
-    explicit CurrentGhosts(const Vector &x, bool wanted = true);
-    const double *begin() const { return (copy_ ? *copy_ : x_).begin(); }
-
-  private:
-    const Vector           &x_;
-    std::unique_ptr<Vector> copy_;
-  };
-
   /// Ledger counts of the optional terms that a sweep over the body evaluates.
   void count_terms(const KernelModel &model, const char *sweep, WorkLedger &ledger);
 

@@ -10,10 +10,7 @@ namespace myolines
     , u_(state.u)
     , v_(state.v)
     , values_(std::size_t(d_.element.n_points) * n_point_values * n_lanes)
-  {
-    u_.update_ghost_values();
-    v_.update_ghost_values();
-  }
+  {}
 
   void PointStates::evaluate(const unsigned int batch)
   {

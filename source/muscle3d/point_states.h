@@ -1,5 +1,7 @@
 #pragma once
 
+#include "current_ghosts.h"
+
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/measurements.h>
 #include <myolines/muscle3d/muscle3d_system.h>
@@ -59,7 +61,7 @@ namespace myolines
     const Muscle3dDiscretisation &d_;
     KernelModel                   model_;
     Vector3                       a0_;
-    Vector                        u_, v_;
+    CurrentGhosts                 u_, v_; ///< the state outlives this object
     dealii::AlignedVector<double> values_;
   };
 
