@@ -8,6 +8,12 @@ namespace myolines
   {
     using dealii::types::global_dof_index;
 
+    /// The batches come from another space of the same mesh, perhaps.
+    NodeSpace::Cell cell_in(const NodeSpace &space, const NodeSpace::Cell &cell)
+    {
+      return {&space.mesh(), cell->level(), cell->index(), &space.nodes()};
+    }
+
     void reinit(SparseMatrix &matrix, const NodeSpace &space, const CellBatches &batches)
     {
       dealii::DynamicSparsityPattern pattern(space.owned_unknowns().size(), space.owned_unknowns().size(), space.relevant_unknowns());
@@ -15,7 +21,7 @@ namespace myolines
       for (unsigned int b = 0; b < batches.n_batches(); ++b)
         for (unsigned int lane = 0; lane < batches.n_filled(b); ++lane)
           {
-            space.cell_nodes(batches.cell(b, lane), nodes);
+            space.cell_nodes(cell_in(space, batches.cell(b, lane)), nodes);
             columns.clear();
             for (const global_dof_index node : nodes)
               for (unsigned int c = 0; c < 3; ++c)
@@ -29,9 +35,9 @@ namespace myolines
     }
   } // namespace
 
-  BlockMatrix::BlockMatrix(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints)
+  BlockMatrix::BlockMatrix(const NodeSpace &space, const CellBatches &batches, const int n_nodes, const Constraints &constraints)
     : batches_(batches)
-    , n_nodes_(element.n_nodes)
+    , n_nodes_(n_nodes)
   {
     reinit(matrix_, space, batches);
     rows_ = compressed_rows(matrix_);
@@ -48,7 +54,7 @@ namespace myolines
       for (unsigned int lane = 0; lane < batches.n_filled(b); ++lane)
         {
           const std::size_t cell = std::size_t(b) * n_lanes + lane;
-          space.cell_nodes(batches.cell(b, lane), nodes);
+          space.cell_nodes(cell_in(space, batches.cell(b, lane)), nodes);
           for (int i = 0; i < n_nodes_; ++i)
             {
               columns[i]                      = local_column(matrix_, 3 * nodes[i]);

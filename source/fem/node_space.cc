@@ -29,7 +29,8 @@ namespace myolines
   }
 
   NodeSpace::NodeSpace(const Mesh &mesh, const unsigned int degree)
-    : degree_(degree)
+    : mesh_(mesh)
+    , degree_(degree)
     , element_(degree)
     , nodes_(mesh)
     , lexicographic_(dealii::FETools::lexicographic_to_hierarchic_numbering<3>(degree))

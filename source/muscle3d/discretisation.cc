@@ -15,6 +15,11 @@ namespace myolines
               constraints.add_line(3 * node + c);
       constraints.close();
     }
+
+    KernelTables kernel_tables(const Element &e)
+    {
+      return {e.n_points_1d, e.n_modes, e.value.data(), e.derivative.data(), e.weights_3d.data(), e.modes.data()};
+    }
   } // namespace
 
   Muscle3dDiscretisation::Muscle3dDiscretisation(const Muscle3dParameters &parameters, const MPI_Comm comm, const InstructionSet set)
@@ -23,8 +28,7 @@ namespace myolines
     , element(parameters.degree, parameters.n_points)
     , instruction_set(set)
     , kernels(myolines::kernels(set, parameters.degree))
-    , tables{element.n_points_1d,       element.n_modes,           element.value.data(),
-             element.derivative.data(), element.weights_3d.data(), element.modes.data()}
+    , tables(kernel_tables(element))
     , scratch_(kernels.scratch_size(element.n_points_1d, element.n_modes))
   {
     make_block(mesh, parameters.geometry.size, parameters.geometry.cells, parameters.geometry.refinement);
@@ -39,10 +43,16 @@ namespace myolines
     constrain(parameters, *space, constraints);
   }
 
-  KernelCells Muscle3dDiscretisation::kernel_cells(const unsigned int b) const
+  CellSweep::CellSweep(const Element &element, const CellBatches &batches)
+    : element(element)
+    , batches(batches)
+    , tables(kernel_tables(element))
+  {}
+
+  KernelCells CellSweep::cells(const unsigned int b) const
   {
-    return {batches->nodes(b), batches->geometry(b), batches->geometry_stride(b), batches->inverse_mode_mass(b),
-            static_cast<int>(batches->n_filled(b))};
+    return {batches.nodes(b), batches.geometry(b), batches.geometry_stride(b), batches.inverse_mode_mass(b),
+            static_cast<int>(batches.n_filled(b))};
   }
 
   KernelModel kernel_model(const Muscle3dParameters &parameters, const double activation)

@@ -48,11 +48,18 @@ namespace myolines
       return work.add_residual(u, v, a, r);
     }
 
-    static void apply(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *u,
-                      const double *v, const double *x, double *y, double *scratch)
+    static void linearise(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v,
+                          double *tangent, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.add_apply(w, u, v, x, y);
+      work.store_tangent(u, v, reinterpret_cast<T *>(tangent));
+    }
+
+    static void apply(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *tangent,
+                      const double *x, double *y, double *scratch)
+    {
+      BatchWork work(t, m, c, scratch);
+      work.add_apply(w, reinterpret_cast<const T *>(tangent), x, y);
     }
 
     static void element_matrices(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *u,
@@ -115,53 +122,61 @@ namespace myolines
         }
     }
 
-    void add_apply(const double w[3], const double *u, const double *v, const double *x, double *y)
+    void store_tangent(const double *u, const double *v, T *tangent)
     {
-      const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.rate);
-      if (stiffness)
-        {
-          evaluate_state(u, v);
-          T *dF = coefficients + 9 * n_points; // the first 9 n are wanted by add_integral
-          evaluate_gradient(x, dF);
-          T dp[max_modes];
-          volumetric_change(dF, dp);
-          for (int q = 0; q < n_points; ++q)
-            {
-              const Kinematics<T> k(F + 9 * q);
-              const PointLaw<T>   law(m, k, F_rate + 9 * q, expand(pressure, q));
-              T                   LF[9], dP[9];
-              if (m.rate)
-                law.curvature(F_rate + 9 * q, LF);
-              law.tangent(dF + 9 * q, T(w[0]) * expand(dp, q), LF, w[0], w[1], dP);
-              const T weight = JxW(q);
-              for (int i = 0; i < 9; ++i)
-                work[9 * q + i] = dP[i] * weight;
-            }
-        }
-      if (inertia)
-        {
-          evaluate_values(x);
-          weigh_values(w[2]);
-        }
-      if (stiffness || inertia)
-        add_integral(stiffness ? work : nullptr, inertia ? values : nullptr, y);
-    }
-
-    /// dp_h = Pi(Psi_vol''(D_h) Pi(cof F : dF))
-    void volumetric_change(const T *dF, T *dp) const
-    {
-      T moments[max_modes], dD[max_modes];
-      clear(moments, t.n_modes);
+      evaluate_state(u, v);
+      const int size = m.rate ? tangent_size_rate : tangent_size_0;
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
-          add_moments(k.J * dot(k.H, dF + 9 * q), q, moments);
+          const PointLaw<T>   law(m, k, F_rate + 9 * q, expand(pressure, q));
+          law.store(F_rate + 9 * q, JxW(q), tangent + q * size);
         }
-      project(moments, dD);
-      clear(moments, t.n_modes);
-      for (int q = 0; q < n_points; ++q)
-        add_moments(volumetric_stiffness(q) * expand(dD, q), q, moments);
-      project(moments, dp);
+      volumetric_modes(1, tangent + n_points * size);
+    }
+
+    /// The change of pressure is dp_h = phi S int phi cof F : dF, S of volumetric_modes().
+    void add_apply(const double w[3], const T *tangent, const double *x, double *y)
+    {
+      const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.rate);
+      if (!stiffness && !inertia)
+        return;
+      T *dF = F, *cofactor = F_rate, *flux = F; // work is taken by the interpolation
+      if (!stiffness)
+        evaluate_values(x);
+      else
+        {
+          evaluate_gradient(x, dF, inertia ? values : nullptr);
+          const int size = m.rate ? tangent_size_rate : tangent_size_0;
+          T         moments[max_modes], dp[max_modes];
+          clear(moments, t.n_modes);
+          for (int q = 0; q < n_points; ++q)
+            {
+              T dP[9];
+              tangent_action(m, tangent + q * size, dF + 9 * q, JxW(q), w[0], w[1], dP, cofactor + 9 * q);
+              const T change = dot(cofactor + 9 * q, dF + 9 * q);
+              for (int i = 0; i < t.n_modes; ++i)
+                moments[i] += mode(q, i) * change;
+              for (int i = 0; i < 9; ++i)
+                flux[9 * q + i] = dP[i];
+            }
+          const T *S = tangent + n_points * size;
+          for (int i = 0; i < t.n_modes; ++i)
+            {
+              dp[i] = T(0.);
+              for (int j = 0; j < t.n_modes; ++j)
+                dp[i] += T(w[0]) * S[i * t.n_modes + j] * moments[j];
+            }
+          for (int q = 0; q < n_points; ++q)
+            {
+              const T change = expand(dp, q);
+              for (int i = 0; i < 9; ++i)
+                flux[9 * q + i] += change * cofactor[9 * q + i];
+            }
+        }
+      if (inertia)
+        weigh_values(w[2]);
+      add_integral(stiffness ? flux : nullptr, inertia ? values : nullptr, y);
     }
 
     /// Psi_vol'' at a point
@@ -311,6 +326,6 @@ namespace myolines
   constexpr Kernels make_kernels()
   {
     using Work = BatchWork<isa, n1>;
-    return {&Work::residual, &Work::apply, &Work::element_matrices, &Work::points, &Work::scratch_size};
+    return {&Work::residual, &Work::linearise, &Work::apply, &Work::element_matrices, &Work::points, &Work::scratch_size};
   }
 } // namespace myolines

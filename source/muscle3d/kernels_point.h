@@ -42,6 +42,19 @@ namespace myolines
     }
   };
 
+  /// H X^T H
+  template <typename T>
+  MYOLINES_INLINE void HXtH(const T *H, const T *X, T *Y)
+  {
+    T HXt[9];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        HXt[3 * i + j] = H[3 * i] * X[3 * j] + H[3 * i + 1] * X[3 * j + 1] + H[3 * i + 2] * X[3 * j + 2];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        Y[3 * i + j] = HXt[3 * i] * H[j] + HXt[3 * i + 1] * H[3 + j] + HXt[3 * i + 2] * H[6 + j];
+  }
+
   /// Stress and tangent at a point. L is d2lam/dF2, G = lam N = dlam/dF, Q = dI1/dF.
   template <typename T>
   struct PointLaw
@@ -118,50 +131,32 @@ namespace myolines
             Xa[i] += X[3 * i + j] * T(model.fibre_direction[j]);
           aXa += a[i] * Xa[i];
         }
-      HXtH(X, HX);
+      HXtH(k.H, X, HX);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           Y[3 * i + j] = lam * (N[3 * i + j] * NX + (square * Xa[i] - T(2.) * square * square * aXa * a[i]) * T(model.fibre_direction[j]) +
                                 T(1. / 3.) * HX[3 * i + j]);
     }
 
-    /// H X^T H
-    MYOLINES_INLINE void HXtH(const T *X, T *Y) const
+    /// The fields of TangentValue, with JxW = @p weight.
+    MYOLINES_INLINE void store(const T *F_rate, const T &weight, T *tangent) const
     {
-      T HXt[9];
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          HXt[3 * i + j] = k.H[3 * i] * X[3 * j] + k.H[3 * i + 1] * X[3 * j + 1] + k.H[3 * i + 2] * X[3 * j + 2];
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          Y[3 * i + j] = HXt[3 * i] * k.H[j] + HXt[3 * i + 1] * k.H[3 + j] + HXt[3 * i + 2] * k.H[6 + j];
-    }
-
-    /// dP for dF with weights of K and C; dp is the change of p_h (with the weight of K in it). @p LF = L : F_rate, used
-    /// only if model.rate.
-    MYOLINES_INLINE void tangent(const T *dF, const T &dp, const T *LF, const double w_u, const double w_v, T *dP) const
-    {
-      const T HdF = dot(k.H, dF), QdF = dot(Q, dF), NdF = lam * dot(N, dF);
-      T       Hd[9], Ld[9];
-      HXtH(dF, Hd);
-      curvature(dF, Ld);
-      T along = T(w_u) * fibre.g_stretch * NdF; // factor of G
-      if (model.rate)
-        {
-          along += T(w_v) * fibre.g_strain_rate * NdF;
-          along += T(model.exact_tangent ? w_u : 0.5 * w_u) * fibre.g_strain_rate * dot(LF, dF);
-        }
-      const T across = model.rate && !model.exact_tangent ? T(0.5 * w_u) * fibre.g_strain_rate * NdF : T(0.);
-      const T u(w_u);
       for (int i = 0; i < 9; ++i)
-        {
-          const T volumetric = k.J * (dp * k.H[i] + u * p * (HdF * k.H[i] - Hd[i]));
-          const T isotropic  = base.second * Q[i] * QdF + base.first * (T(2.) * power * dF[i] - T(2. / 3.) * (Q[i] * HdF + k.H[i] * QdF) -
-                                                                       T(4. / 9.) * I1 * k.H[i] * HdF + T(2. / 3.) * I1 * Hd[i]);
-          dP[i]              = volumetric + u * (isotropic + fibre.g * Ld[i]) + along * lam * N[i];
-          if (model.rate && !model.exact_tangent)
-            dP[i] += across * LF[i];
-        }
+        tangent[tangent_F + i] = k.F[i];
+      tangent[tangent_p]       = p * k.J * weight;
+      tangent[tangent_psi1]    = base.first * weight;
+      tangent[tangent_psi2]    = base.second * weight;
+      tangent[tangent_power]   = power;
+      tangent[tangent_g]       = fibre.g * lam * weight;
+      tangent[tangent_stretch] = fibre.g_stretch * lam * lam * weight;
+      if (!model.rate)
+        return;
+      const T per_rate   = fibre.g_strain_rate * lam * weight;
+      tangent[tangent_C] = per_rate * lam;
+      T LF[9];
+      curvature(F_rate, LF);
+      for (int i = 0; i < 9; ++i)
+        tangent[tangent_rate + i] = per_rate * LF[i];
     }
 
     /// The tangent without its volumetric rank (dp) as 81 coefficients in unit-cell directions, times @p weight:
@@ -229,4 +224,55 @@ namespace myolines
           y[3 * i + A] = x[3 * i] * inverse[3 * A] + x[3 * i + 1] * inverse[3 * A + 1] + x[3 * i + 2] * inverse[3 * A + 2];
     }
   };
+
+  /// The tangent action at a point from stored fields t (TangentValue), times JxW, without the change of p_h:
+  /// dP = w_u dP/dF : dF + w_v dP/dFdot : dF. Gives J H JxW too, from which that change is made; @p JxW is the weight.
+  template <typename T>
+  MYOLINES_INLINE void tangent_action(const KernelModel &model, const T *t, const T *dF, const T &JxW, const double w_u, const double w_v,
+                                      T *dP, T *cofactor)
+  {
+    const Kinematics<T> k(t + tangent_F);
+    const T             u(w_u), power = t[tangent_power], psi1 = u * t[tangent_psi1], pJ = u * t[tangent_p], g = u * t[tangent_g];
+    const T             I1 = power * dot(k.F, k.F), HdF = dot(k.H, dF), QdF = T(2.) * power * dot(k.F, dF) - T(2. / 3.) * I1 * HdF;
+    const T             along_Q = u * t[tangent_psi2] * QdF - T(2. / 3.) * psi1 * HdF;
+
+    T a[3], da[3], aa(0.), ada(0.); // F a0, dF a0
+    for (int i = 0; i < 3; ++i)
+      {
+        a[i] = k.F[3 * i] * T(model.fibre_direction[0]) + k.F[3 * i + 1] * T(model.fibre_direction[1]) +
+               k.F[3 * i + 2] * T(model.fibre_direction[2]);
+        da[i] = dF[3 * i] * T(model.fibre_direction[0]) + dF[3 * i + 1] * T(model.fibre_direction[1]) +
+                dF[3 * i + 2] * T(model.fibre_direction[2]);
+        aa += a[i] * a[i];
+        ada += a[i] * da[i];
+      }
+    const T square = T(1.) / aa, growth = square * ada, NdF = growth - T(1. / 3.) * HdF; // N = a (x) a0 / |a|^2 - H/3
+    T       along_N = (g + u * t[tangent_stretch]) * NdF, along_rate(0.);
+    if (model.rate)
+      {
+        const T rate_dF = dot(t + tangent_rate, dF);
+        along_N += T(w_v) * t[tangent_C] * NdF + T(model.exact_tangent ? w_u : 0.5 * w_u) * rate_dF;
+        if (!model.exact_tangent)
+          along_rate = T(0.5 * w_u) * NdF;
+      }
+
+    T HdFtH[9];
+    HXtH(k.H, dF, HdFtH);
+    const T on_dF = T(2.) * power * psi1, on_F = T(2.) * power * along_Q, on_HdFtH = T(2. / 3.) * psi1 * I1 + T(1. / 3.) * g - pJ;
+    const T on_H = pJ * HdF - T(2. / 3.) * I1 * along_Q - T(2. / 3.) * psi1 * QdF - T(4. / 9.) * psi1 * I1 * HdF - T(1. / 3.) * along_N;
+    const T on_a = square * (along_N - T(2.) * g * growth), on_da = square * g, volume = k.J * JxW;
+    for (int i = 0; i < 3; ++i)
+      {
+        const T fibre = on_a * a[i] + on_da * da[i];
+        for (int j = 0; j < 3; ++j)
+          {
+            const int c = 3 * i + j;
+            dP[c]       = on_dF * dF[c] + on_F * k.F[c] + on_H * k.H[c] + on_HdFtH * HdFtH[c] + fibre * T(model.fibre_direction[j]);
+            cofactor[c] = volume * k.H[c];
+          }
+      }
+    if (model.rate && !model.exact_tangent)
+      for (int c = 0; c < 9; ++c)
+        dP[c] += along_rate * t[tangent_rate + c];
+  }
 } // namespace myolines

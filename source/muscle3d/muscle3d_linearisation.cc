@@ -1,5 +1,7 @@
 #include "muscle3d_linearisation.h"
 
+#include <myolines/fem/rigid_body_modes.h>
+
 namespace myolines
 {
   void count_terms(const KernelModel &model, const char *sweep, WorkLedger &ledger)
@@ -11,37 +13,6 @@ namespace myolines
     if (model.inertia)
       ledger.count(std::string("mass in ") + sweep);
   }
-
-  namespace
-  {
-    /// Translations and rotations about the middle of the body, zero on constrained unknowns.
-    std::vector<Vector> rigid_body_modes(const Muscle3dDiscretisation &d)
-    {
-      std::vector<Vector>   modes(6, d.space->make_vector());
-      std::array<double, 3> middle{};
-      std::size_t           n     = 0;
-      const auto           &owned = d.space->nodes().locally_owned_dofs();
-      for (const auto node : owned)
-        {
-          for (unsigned int c = 0; c < 3; ++c)
-            middle[c] += d.space->node_position(node)[c];
-          ++n;
-        }
-      for (double &m : middle)
-        m = dealii::Utilities::MPI::sum(m, d.communicator) / dealii::Utilities::MPI::sum(double(n), d.communicator);
-      for (const auto node : owned)
-        {
-          const dealii::Point<3> &x             = d.space->node_position(node);
-          const double            r[3]          = {x[0] - middle[0], x[1] - middle[1], x[2] - middle[2]};
-          const double            entries[6][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -r[2], r[1]}, {r[2], 0, -r[0]}, {-r[1], r[0], 0}};
-          for (unsigned int mode = 0; mode < 6; ++mode)
-            for (unsigned int c = 0; c < 3; ++c)
-              if (!d.constraints.is_constrained(3 * node + c))
-                modes[mode](3 * node + c) = entries[mode][c];
-        }
-      return modes;
-    }
-  } // namespace
 
   Muscle3dLinearisation::Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
                                                WorkLedger &ledger)
@@ -63,22 +34,68 @@ namespace myolines
         v_.update_ghost_values();
       }
     current_ = false;
+    stored_  = false;
     ledger_.count("linearisations");
   }
 
+  namespace
+  {
+    std::size_t tangent_size(const CellSweep &sweep, const KernelModel &model)
+    {
+      return myolines::tangent_size(sweep.element.n_points, sweep.element.n_modes, model.rate);
+    }
+  } // namespace
+
+  void Muscle3dLinearisation::store(const CellSweep &sweep, Tangents &tangents) const
+  {
+    const std::size_t size = tangent_size(sweep, model_);
+    tangents.resize_fast(size * sweep.batches.n_owned_batches());
+    for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
+      discretisation_.kernels.linearise(sweep.tables, model_, sweep.cells(b), u_.begin(), v_.begin(), &tangents[b * size],
+                                        discretisation_.scratch());
+    ledger_.count("stored tangents");
+    count_terms(model_, "stored tangent", ledger_);
+  }
+
+  void Muscle3dLinearisation::apply(const CellSweep &sweep, const Tangents &tangents, const KernelModel &model, const Weights &w,
+                                    const Vector &x, Vector &y) const
+  {
+    const double      k[3] = {w.u, w.v, w.a};
+    const std::size_t size = tangents.empty() ? 0 : tangent_size(sweep, model);
+    y.zero_out_ghost_values();
+    y = 0;
+    for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
+      discretisation_.kernels.apply(sweep.tables, model, sweep.cells(b), k, tangents.data() + b * size, x.begin(), y.begin(),
+                                    discretisation_.scratch());
+    y.compress(dealii::VectorOperation::add);
+  }
+
+  /// Tangents are stored when an action first needs them: assembly and mass do without.
   void Muscle3dLinearisation::apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const
   {
     const CurrentGhosts current(x);
-    const Weights      &w    = weights[2];
-    const double        k[3] = {w.u, w.v, w.a};
-    y.zero_out_ghost_values();
-    y = 0;
-    for (unsigned int b = 0; b < discretisation_.batches->n_owned_batches(); ++b)
-      discretisation_.kernels.apply(discretisation_.tables, model_, discretisation_.kernel_cells(b), k, u_.begin(), v_.begin(),
-                                    current.begin(), y.begin(), discretisation_.scratch());
-    y.compress(dealii::VectorOperation::add);
+    const Weights      &w = weights[2];
+    if (!stored_ && (w.u != 0 || (w.v != 0 && model_.rate)))
+      {
+        store(discretisation_.sweep(), tangents_);
+        stored_ = true;
+      }
+    apply(discretisation_.sweep(), tangents_, model_, w, current.vector(), y);
     ledger_.count("tangent actions");
-    count_terms(model_, "tangent action", ledger_);
+  }
+
+  template <typename Consumer>
+  void Muscle3dLinearisation::for_each_matrix(const CellSweep &sweep, const Weights &w, const Consumer &consume) const
+  {
+    const double                  k[3] = {w.u, w.v, w.a};
+    dealii::AlignedVector<double> element_matrices(std::size_t(9) * sweep.element.n_nodes * sweep.element.n_nodes * n_lanes);
+    for (unsigned int b = 0; b < sweep.batches.n_batches(); ++b)
+      {
+        discretisation_.kernels.element_matrices(sweep.tables, model_, sweep.cells(b), k, u_.begin(), v_.begin(), element_matrices.data(),
+                                                 discretisation_.scratch());
+        consume(b, element_matrices.data());
+      }
+    count_terms(model_, "assembly", ledger_);
   }
 
   const SparseMatrix &Muscle3dLinearisation::sparse(const WeightsByOrder &weights)
@@ -88,19 +105,11 @@ namespace myolines
       return matrix_->matrix();
 
     ledger_.count("matrix assemblies");
-    count_terms(model_, "assembly", ledger_);
     const Muscle3dDiscretisation &d = discretisation_;
     if (!matrix_)
-      matrix_ = std::make_unique<BlockMatrix>(*d.space, *d.batches, d.element, d.constraints);
-
-    const double                  k[3] = {w.u, w.v, w.a};
-    dealii::AlignedVector<double> element_matrices(std::size_t(9) * d.element.n_nodes * d.element.n_nodes * n_lanes);
+      matrix_ = std::make_unique<BlockMatrix>(*d.space, *d.batches, d.element.n_nodes, d.constraints);
     matrix_->clear();
-    for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
-      {
-        d.kernels.element_matrices(d.tables, model_, d.kernel_cells(b), k, u_.begin(), v_.begin(), element_matrices.data(), d.scratch());
-        matrix_->add(b, element_matrices.data());
-      }
+    for_each_matrix(d.sweep(), w, [&](const unsigned int b, double *matrices) { matrix_->add(b, matrices); });
     assembled_ = w;
     current_   = true;
     return matrix_->matrix();
@@ -109,7 +118,51 @@ namespace myolines
   const MultilevelData *Muscle3dLinearisation::multilevel() const
   {
     if (!multilevel_)
-      multilevel_ = std::make_unique<MultilevelData>(MultilevelData{3, rigid_body_modes(discretisation_)});
+      multilevel_ =
+          std::make_unique<MultilevelData>(MultilevelData{3, rigid_body_modes(*discretisation_.space, discretisation_.constraints)});
     return multilevel_.get();
+  }
+
+  Muscle3dLinearisation::LeanCells::LeanCells(const NodeSpace &space)
+    : element(space.degree(), space.degree() + 1)
+    , batches(space, element)
+  {}
+
+  CellSweep Muscle3dLinearisation::lean_sweep() const
+  {
+    return lean_ ? CellSweep{lean_->element, lean_->batches} : discretisation_.sweep();
+  }
+
+  void Muscle3dLinearisation::make_two_level()
+  {
+    const Muscle3dDiscretisation &d = discretisation_;
+    if (d.element.n_points_1d > d.element.n_nodes_1d)
+      lean_ = std::make_unique<LeanCells>(*d.space);
+    stars_     = std::make_unique<VertexStars>(*d.space, lean_sweep().batches, lean_sweep().element, d.constraints);
+    two_level_ = std::make_unique<TwoLevel>(TwoLevel{stars_->patches(),
+                                                     stars_->interpolation(),
+                                                     stars_->coarse_matrix(),
+                                                     {3, rigid_body_modes(stars_->coarse_space(), stars_->coarse_constraints())},
+                                                     stars_->coarse_space().make_vector(),
+                                                     {}});
+  }
+
+  TwoLevel *Muscle3dLinearisation::two_level(const WeightsByOrder &weights)
+  {
+    if (!two_level_)
+      make_two_level();
+    ledger_.count("patch assemblies");
+    const Weights w = weights[2];
+    stars_->clear();
+    for_each_matrix(lean_sweep(), w, [&](const unsigned int b, double *matrices) { stars_->add(b, matrices); });
+    if (lean_)
+      {
+        store(lean_sweep(), lean_->tangents);
+        two_level_->action = [this, w, model = model_](const Vector &x, Vector &y) {
+          apply(lean_sweep(), lean_->tangents, model, w, x, y);
+          ledger_.count("lean tangent actions");
+        };
+      }
+    return two_level_.get();
   }
 } // namespace myolines

@@ -3,6 +3,7 @@
 #include "current_ghosts.h"
 
 #include <myolines/fem/block_matrix.h>
+#include <myolines/fem/vertex_stars.h>
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/linearisation.h>
@@ -23,10 +24,34 @@ namespace myolines
     void refill(const Point &point, double activation);
 
     void                  apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
+    bool                  action_is_cheap() const override { return true; }
     const SparseMatrix   &sparse(const WeightsByOrder &weights) override;
     const MultilevelData *multilevel() const override;
+    bool                  has_two_levels() const override { return discretisation_.space->degree() > 1; }
+    TwoLevel             *two_level(const WeightsByOrder &weights) override;
 
   private:
+    /// Tangents of the owned batches, for actions.
+    using Tangents = dealii::AlignedVector<double>;
+    void store(const CellSweep &sweep, Tangents &tangents) const;
+    void apply(const CellSweep &sweep, const Tangents &tangents, const KernelModel &model, const Weights &weights, const Vector &x,
+               Vector &y) const;
+
+    /// consume(batch, element matrices) for owned and ghost batches.
+    template <typename Consumer>
+    void for_each_matrix(const CellSweep &sweep, const Weights &weights, const Consumer &consume) const;
+
+    /// Quadrature with as few points as keep the stiffness, for preconditioners of a richer one.
+    struct LeanCells
+    {
+      LeanCells(const NodeSpace &space);
+      const Element     element;
+      const CellBatches batches;
+      Tangents          tangents;
+    };
+    CellSweep lean_sweep() const;
+    void      make_two_level();
+
     const Muscle3dParameters               &parameters_;
     const Muscle3dDiscretisation           &discretisation_;
     WorkLedger                             &ledger_;
@@ -36,5 +61,10 @@ namespace myolines
     Weights                                 assembled_; ///< weights of the matrix, if current_
     bool                                    current_ = false;
     mutable std::unique_ptr<MultilevelData> multilevel_;
+    std::unique_ptr<LeanCells>              lean_; ///< none if the quadrature is lean already
+    std::unique_ptr<VertexStars>            stars_;
+    std::unique_ptr<TwoLevel>               two_level_;
+    mutable Tangents                        tangents_; ///< at this state, if stored_
+    mutable bool                            stored_ = false;
   };
 } // namespace myolines

@@ -18,16 +18,18 @@ namespace myolines
 
     /// Sparse LU by Amesos: KLU for small problems, MUMPS (distributed, multifrontal) for the others. Works on a copy of
     /// the matrix: Amesos asks the matrix for its communicator even while it is destroyed.
-    class Direct : public Preconditioner
+    class Direct : public MatrixPreconditioner
     {
     public:
-      void build(const SparseMatrix &matrix, const MultilevelData *) override
+      void factorise(const SparseMatrix &matrix, const MultilevelData *) override
       {
         const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
         if (!solver_ || !copy_values(epetra))
           begin(epetra);
         check(solver_->NumericFactorization(), "numeric");
       }
+
+      unsigned int set_up_cost() const override { return 60; }
 
       void apply(const double *r, double *z) const override
       {
@@ -84,13 +86,15 @@ namespace myolines
     };
   } // namespace
 
+  std::unique_ptr<MatrixPreconditioner> make_direct() { return std::make_unique<Direct>(); }
+
   PreconditionerEntry direct_preconditioner_entry()
   {
     PreconditionerEntry entry;
     entry.name    = "direct";
     entry.summary = "Sparse LU factorisation (Amesos: KLU for small problems, MUMPS above), kept while it converges fast.";
     entry.schema  = scene::Schema(entry.summary);
-    entry.make    = [](const scene::Node &, std::size_t) { return std::make_unique<Direct>(); };
+    entry.make    = [](const scene::Node &, const PreconditionerContext &) { return make_direct(); };
     return entry;
   }
 } // namespace myolines

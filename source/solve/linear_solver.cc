@@ -1,4 +1,3 @@
-#include <myolines/solve/free_unknowns.h>
 #include <myolines/solve/linear_solver.h>
 #include <myolines/solve/preconditioner.h>
 
@@ -6,9 +5,11 @@
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosPseudoBlockGmresSolMgr.hpp>
-#include <Epetra_CrsMatrix.h>
+#include <Epetra_Operator.h>
 #include <Epetra_Vector.h>
 
+#include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace myolines
@@ -18,35 +19,37 @@ namespace myolines
     using Problem = Belos::LinearProblem<double, Epetra_MultiVector, Epetra_Operator>;
     using Manager = Belos::SolverManager<double, Epetra_MultiVector, Epetra_Operator>;
 
-    /// A Preconditioner as Belos sees it: Apply() is the approximate inverse.
-    class PreconditionerOperator : public Epetra_Operator
+    using Action = std::function<void(const double *x, double *y)>;
+
+    /// A linear map as Belos sees it.
+    class ActionOperator : public Epetra_Operator
     {
     public:
-      PreconditionerOperator(const Preconditioner &preconditioner, const Epetra_Operator &matrix)
-        : preconditioner_(preconditioner)
-        , matrix_(matrix)
+      ActionOperator(const Epetra_Map &map, Action action)
+        : map_(map)
+        , action_(std::move(action))
       {}
 
       int Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const override
       {
         for (int column = 0; column < x.NumVectors(); ++column)
-          preconditioner_.apply(x[column], y[column]);
+          action_(x[column], y[column]);
         return 0;
       }
 
       int                SetUseTranspose(bool) override { return -1; }
       int                ApplyInverse(const Epetra_MultiVector &, Epetra_MultiVector &) const override { return -1; }
       double             NormInf() const override { return 0; }
-      const char        *Label() const override { return "preconditioner"; }
+      const char        *Label() const override { return "linear map"; }
       bool               UseTranspose() const override { return false; }
       bool               HasNormInf() const override { return false; }
-      const Epetra_Comm &Comm() const override { return matrix_.Comm(); }
-      const Epetra_Map  &OperatorDomainMap() const override { return matrix_.OperatorRangeMap(); }
-      const Epetra_Map  &OperatorRangeMap() const override { return matrix_.OperatorDomainMap(); }
+      const Epetra_Comm &Comm() const override { return map_.Comm(); }
+      const Epetra_Map  &OperatorDomainMap() const override { return map_; }
+      const Epetra_Map  &OperatorRangeMap() const override { return map_; }
 
     private:
-      const Preconditioner  &preconditioner_;
-      const Epetra_Operator &matrix_;
+      const Epetra_Map &map_;
+      const Action      action_;
     };
 
     Epetra_Vector view(const Vector &x, const Epetra_Map &map) { return Epetra_Vector(View, map, const_cast<double *>(x.begin())); }
@@ -68,6 +71,8 @@ namespace myolines
     schema
         .choice("type", "automatic", {"automatic", "cg", "gmres"},
                 "Method; automatic: cg if the operator is symmetric, else gmres. A cg that fails falls back to gmres.")
+        .choice("operator", "automatic", {"automatic", "matrix-free", "assembled"},
+                "How the tangent is applied; automatic: matrix-free where the system has a fast action, else by its matrix.")
         .integer("maximum iterations", 1000, Range::closed(1, 100000), "Largest number of iterations of one solve.")
         .integer("restart", 100, Range::closed(1, 1000), "gmres starts anew after this many iterations; it stores as many vectors.");
     return schema;
@@ -81,12 +86,24 @@ namespace myolines
       alternatives.emplace_back(entry.name, entry.schema);
     scene::Schema schema("Preconditioner of the Krylov solver.");
     schema.variant("type", "automatic", alternatives, "Kind of preconditioner.")
-        .choice("rebuild", "when slow", {"every step", "when slow"},
-                "When to set it up anew: for every nonlinear solve, or when iterations have grown.")
-        .integer("slow iterations", 10, Range::closed(1, 1000),
-                 "Iterations beyond those of the first solve after a set-up that call for a new one.");
+        .choice("rebuild", "automatic", {"automatic", "every step", "when slow"},
+                "When to set it up anew: for every nonlinear solve and when keeping it has cost as much as a set-up, or only then; "
+                "automatic: for every solve if a set-up costs less than 20 iterations.")
+        .optional_number("slow iterations", "-", Range::closed(1, 100000),
+                         "Iterations that keeping it may cost, beyond those of a fresh one; not given: about what a set-up costs.");
     return schema;
   }
+
+  namespace
+  {
+    TangentOperator::Form form(const scene::Node &linear)
+    {
+      const std::string name = linear.text("operator");
+      return name == "automatic"   ? TangentOperator::Form::automatic
+             : name == "assembled" ? TangentOperator::Form::assembled
+                                   : TangentOperator::Form::matrix_free;
+    }
+  } // namespace
 
   class LinearSolver::Implementation
   {
@@ -95,84 +112,96 @@ namespace myolines
       : type_(linear.text("type"))
       , maximum_iterations_(linear.integer("maximum iterations"))
       , restart_(linear.integer("restart"))
-      , every_step_(preconditioner.text("rebuild") == "every step")
-      , slow_iterations_(preconditioner.integer("slow iterations"))
+      , rebuild_(preconditioner.text("rebuild"))
+      , slow_iterations_(preconditioner.has("slow iterations") ? preconditioner.number("slow iterations") : 0)
       , node_(preconditioner)
       , ledger_(ledger)
+      , tangent_(form(linear), ledger)
     {}
 
-    void new_step() { outdated_ = outdated_ || every_step_; }
+    void new_step()
+    {
+      outdated_ = outdated_ || rebuild_ == "every step" ||
+                  (rebuild_ == "automatic" && preconditioner_ != nullptr && preconditioner_->set_up_cost() < 20);
+    }
     void forget() { preconditioner_.reset(); }
 
     LinearReport solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, const bool symmetric,
                        const Vector &b, Vector &x, const double tolerance);
 
   private:
-    const SparseMatrix &assemble(Linearisation &linearisation, const WeightsByOrder &weights);
-    void                build(const SparseMatrix &matrix, const MultilevelData *multilevel, std::size_t n_unknowns);
-    LinearReport        attempt(const SparseMatrix &matrix, bool symmetric, const Vector &b, Vector &x, double tolerance);
-    void                krylov(bool cg, const SparseMatrix &matrix, const Vector &b, Vector &x, double tolerance, LinearReport &report);
-    double              true_residual(const SparseMatrix &matrix, const Vector &b, const Vector &x) const;
+    void         build(Linearisation &linearisation);
+    void         watch(unsigned int iterations, double tolerance);
+    LinearReport attempt(bool symmetric, const Vector &b, Vector &x, double tolerance);
+    void         krylov(bool cg, const Vector &b, Vector &x, double tolerance, LinearReport &report);
+    double       true_residual(const Vector &b, const Vector &x) const;
 
     const std::string  type_;
     const unsigned int maximum_iterations_;
     const unsigned int restart_;
-    const bool         every_step_;
-    const unsigned int slow_iterations_;
+    const std::string  rebuild_;
+    const double       slow_iterations_; ///< 0: set_up_cost()
     const scene::Node  node_;
     WorkLedger        &ledger_;
 
+    TangentOperator                 tangent_;
     std::unique_ptr<Preconditioner> preconditioner_;
-    const SparseMatrix             *built_for_              = nullptr;
-    std::size_t                     built_size_             = 0;
-    bool                            outdated_               = true;
-    bool                            fresh_                  = false;
-    unsigned int                    iterations_after_build_ = 0;
+    bool                            outdated_ = true;
+    bool                            fresh_    = false;
+    double                          fastest_  = 0; ///< fewest iterations per decade of a solve since the last set-up
+    double                          excess_   = 0; ///< iterations beyond that, summed over the solves since then
   };
 
-  const SparseMatrix &LinearSolver::Implementation::assemble(Linearisation &linearisation, const WeightsByOrder &weights)
-  {
-    const WorkLedger::Timer timer(ledger_, "assembly");
-    return linearisation.sparse(weights);
-  }
-
-  void LinearSolver::Implementation::build(const SparseMatrix &matrix, const MultilevelData *multilevel, const std::size_t n_unknowns)
+  void LinearSolver::Implementation::build(Linearisation &linearisation)
   {
     const WorkLedger::Timer timer(ledger_, "preconditioner");
     ledger_.count("preconditioner set-ups");
-    if (!preconditioner_ || built_for_ != &matrix || built_size_ != n_unknowns)
-      preconditioner_ = chosen(node_).make(node_, n_unknowns);
-    built_for_  = &matrix;
-    built_size_ = n_unknowns;
-    outdated_   = true; // until the set-up has succeeded
-    preconditioner_->build(matrix, multilevel);
+    if (!preconditioner_)
+      preconditioner_ = chosen(node_).make(node_, {tangent_.layout().size(), linearisation.has_two_levels(), ledger_});
+    outdated_ = true; // until the set-up has succeeded
+    preconditioner_->build(tangent_);
     outdated_ = false;
     fresh_    = true;
   }
 
-  double LinearSolver::Implementation::true_residual(const SparseMatrix &matrix, const Vector &b, const Vector &x) const
+  /// Keeping a preconditioner pays until the iterations it has cost beyond those of its best solve are worth a set-up:
+  /// never more than twice the work of the best policy, whatever the future brings.
+  void LinearSolver::Implementation::watch(const unsigned int iterations, const double tolerance)
   {
-    const Epetra_Map &map = matrix.trilinos_matrix().OperatorRangeMap();
-    Epetra_Vector     r(map, false);
-    matrix.trilinos_matrix().Apply(view(x, map), r);
-    r.Update(1., view(b, map), -1.);
-    double norm = 0;
-    r.Norm2(&norm);
-    return norm / b.l2_norm();
+    const double decades = std::max(1., -std::log10(tolerance)), rate = iterations / decades;
+    if (fresh_)
+      {
+        fastest_ = rate;
+        excess_  = 0;
+      }
+    fastest_ = std::min(fastest_, rate);
+    excess_ += iterations - fastest_ * decades;
+    outdated_ = outdated_ || excess_ > (slow_iterations_ > 0 ? slow_iterations_ : preconditioner_->set_up_cost());
+  }
+
+  double LinearSolver::Implementation::true_residual(const Vector &b, const Vector &x) const
+  {
+    Vector r(tangent_.layout());
+    tangent_.apply(x, r);
+    r.sadd(-1, b);
+    return r.l2_norm() / b.l2_norm();
   }
 
   /// Improves @p x; throws what Belos throws on breakdown.
-  void LinearSolver::Implementation::krylov(const bool cg, const SparseMatrix &matrix, const Vector &b, Vector &x, const double tolerance,
-                                            LinearReport &report)
+  void LinearSolver::Implementation::krylov(const bool cg, const Vector &b, Vector &x, const double tolerance, LinearReport &report)
   {
-    const Epetra_CrsMatrix &epetra = matrix.trilinos_matrix();
-    const Epetra_Map       &map    = epetra.OperatorRangeMap();
-    Epetra_Vector           left   = view(x, map);
-    Epetra_Vector           right  = view(b, map);
-    PreconditionerOperator  inverse(*preconditioner_, epetra);
+    const Epetra_Map     map  = b.locally_owned_elements().make_trilinos_map(b.get_mpi_communicator());
+    Epetra_Vector        left = view(x, map), right = view(b, map);
+    Vector               from(tangent_.layout()), to(tangent_.layout());
+    const ActionOperator tangent(map, [&](const double *in, double *out) {
+      std::copy_n(in, from.locally_owned_size(), from.begin());
+      tangent_.apply(from, to);
+      std::copy_n(to.begin(), to.locally_owned_size(), out);
+    });
+    const ActionOperator inverse(map, [&](const double *in, double *out) { preconditioner_->apply(in, out); });
 
     const auto problem =
-        Teuchos::rcp(new Problem(Teuchos::rcp<const Epetra_Operator>(&epetra, false), Teuchos::rcp<Epetra_MultiVector>(&left, false),
+        Teuchos::rcp(new Problem(Teuchos::rcp<const Epetra_Operator>(&tangent, false), Teuchos::rcp<Epetra_MultiVector>(&left, false),
                                  Teuchos::rcp<const Epetra_MultiVector>(&right, false)));
     const auto inverse_pointer = Teuchos::rcp<const Epetra_Operator>(&inverse, false);
     if (cg)
@@ -192,7 +221,7 @@ namespace myolines
       {
         list->set("Num Blocks", static_cast<int>(restart_));
         list->set("Maximum Restarts", static_cast<int>(maximum_iterations_ / restart_ + 1));
-        list->set("Orthogonalization", "ICGS");
+        list->set("Orthogonalization", "IMGS");
       }
     else
       {
@@ -210,14 +239,13 @@ namespace myolines
     report.iterations += manager->getNumIters();
   }
 
-  LinearReport LinearSolver::Implementation::attempt(const SparseMatrix &matrix, const bool symmetric, const Vector &b, Vector &x,
-                                                     const double tolerance)
+  LinearReport LinearSolver::Implementation::attempt(const bool symmetric, const Vector &b, Vector &x, const double tolerance)
   {
     LinearReport report;
     // The inner tests of Belos differ from the true residual by round-off: let them stop a little later.
     const double inner    = 0.9 * tolerance;
     const auto   verified = [&] {
-      report.relative_residual = true_residual(matrix, b, x);
+      report.relative_residual = true_residual(b, x);
       return report.converged  = report.relative_residual <= tolerance;
     };
 
@@ -236,17 +264,24 @@ namespace myolines
       {
         if (cg && !(type_ == "cg" || (type_ == "automatic" && symmetric)))
           continue;
-        try
+        // Round-off of a preconditioner in single precision can end a solve early: it goes on while that helps.
+        for (double before = 1; !report.converged;)
           {
-            krylov(cg, matrix, b, x, inner, report);
-            report.reason = std::string(cg ? "cg" : "gmres") + " has not converged: stopped after " + std::to_string(report.iterations) +
-                            " of at most " + std::to_string(maximum_iterations_) + " iterations";
+            try
+              {
+                krylov(cg, b, x, inner, report);
+                report.reason = std::string(cg ? "cg" : "gmres") + " has not converged: stopped after " +
+                                std::to_string(report.iterations) + " of at most " + std::to_string(maximum_iterations_) + " iterations";
+              }
+            catch (const std::exception &error)
+              {
+                report.reason = std::string(cg ? "cg" : "gmres") + " broke down: " + error.what();
+              }
+            if (verified() || !(report.relative_residual < 0.5 * before) || report.iterations >= maximum_iterations_)
+              break;
+            before = report.relative_residual;
           }
-        catch (const std::exception &error)
-          {
-            report.reason = std::string(cg ? "cg" : "gmres") + " broke down: " + error.what();
-          }
-        if (verified())
+        if (report.converged)
           {
             report.reason.clear();
             return report;
@@ -269,7 +304,10 @@ namespace myolines
     ledger_.count("linear solves");
     LinearReport report;
     Vector       right = b;
-    FreeUnknowns(constraints, right).clear_constrained(right);
+    if (!tangent_.is_of(linearisation) || tangent_.layout().size() != b.size())
+      forget();
+    tangent_.bind(linearisation, weights, constraints, b);
+    tangent_.free_unknowns().clear_constrained(right);
     x = 0;
     if (right.l2_norm() == 0)
       {
@@ -280,25 +318,22 @@ namespace myolines
     unsigned int iterations = 0;
     try
       {
-        const SparseMatrix &matrix = assemble(linearisation, weights);
-        fresh_                     = false;
-        if (!preconditioner_ || outdated_ || built_for_ != &matrix || built_size_ != b.size())
-          build(matrix, linearisation.multilevel(), b.size());
+        fresh_ = false;
+        if (!preconditioner_ || outdated_)
+          build(linearisation);
         for (;;)
           {
             const bool fresh = fresh_;
             {
               const WorkLedger::Timer timer(ledger_, "linear solve");
-              report = attempt(matrix, symmetric, right, x, tolerance);
+              report = attempt(symmetric, right, x, tolerance);
             }
             iterations += report.iterations;
-            if (fresh)
-              iterations_after_build_ = report.iterations;
             if (report.converged || fresh)
               break;
-            build(matrix, linearisation.multilevel(), b.size());
+            build(linearisation);
           }
-        outdated_ = report.iterations > iterations_after_build_ + slow_iterations_;
+        watch(report.iterations, tolerance);
       }
     catch (const std::exception &error)
       {

@@ -16,7 +16,7 @@ namespace myolines
     constexpr int seed = 20240229;
 
     /// Smoothed aggregation by ML with the near-null space of the system and Chebyshev smoothing.
-    class Multilevel : public Preconditioner
+    class Multilevel : public MatrixPreconditioner
     {
     public:
       Multilevel(const unsigned int sweeps, const double threshold, const unsigned int coarse_size)
@@ -25,7 +25,7 @@ namespace myolines
         , coarse_size_(coarse_size)
       {}
 
-      void build(const SparseMatrix &matrix, const MultilevelData *multilevel) override
+      void factorise(const SparseMatrix &matrix, const MultilevelData *multilevel) override
       {
         Teuchos::ParameterList list;
         ML_Epetra::SetDefaults("SA", list);
@@ -47,6 +47,8 @@ namespace myolines
           throw std::runtime_error("ml: the hierarchy could not be built");
         map_ = &matrix.trilinos_matrix().OperatorRangeMap();
       }
+
+      unsigned int set_up_cost() const override { return 40; }
 
       void apply(const double *r, double *z) const override
       {
@@ -81,6 +83,13 @@ namespace myolines
     };
   } // namespace
 
+  namespace
+  {
+    constexpr int default_sweeps = 4, default_coarse_size = 1000;
+  }
+
+  std::unique_ptr<MatrixPreconditioner> make_ml() { return std::make_unique<Multilevel>(default_sweeps, 0, default_coarse_size); }
+
   PreconditionerEntry ml_preconditioner_entry()
   {
     using scene::Range;
@@ -89,11 +98,13 @@ namespace myolines
     entry.summary = "Smoothed-aggregation multigrid (ML) with the near-null space of the system and Chebyshev smoothing.";
     entry.schema  = scene::Schema(entry.summary);
     entry.schema
-        .integer("smoother sweeps", 4, Range::closed(1, 20), "Degree of the Chebyshev smoother, before and after each coarse correction.")
+        .integer("smoother sweeps", default_sweeps, Range::closed(1, 20),
+                 "Degree of the Chebyshev smoother, before and after each coarse correction.")
         .number("aggregation threshold", 0, "-", Range{0, 1, false, true},
                 "Couplings weaker than this fraction of the diagonal do not aggregate.")
-        .integer("coarse size", 1000, Range::closed(1, 100000), "Coarsening ends at this number of unknowns, solved directly.");
-    entry.make = [](const scene::Node &node, std::size_t) {
+        .integer("coarse size", default_coarse_size, Range::closed(1, 100000),
+                 "Coarsening ends at this number of unknowns, solved directly.");
+    entry.make = [](const scene::Node &node, const PreconditionerContext &) {
       return std::make_unique<Multilevel>(node.integer("smoother sweeps"), node.number("aggregation threshold"),
                                           node.integer("coarse size"));
     };

@@ -273,7 +273,7 @@ namespace myolines
         .integer("maximum iterations", 25, Range::closed(1, 1000), "Largest number of Newton steps.")
         .integer("line search cuts", 6, Range::closed(0, 50), "Largest number of times one Newton step is shortened.")
         .number("forcing minimum", 1e-4, "-", fraction, "Tightest relative tolerance of the linear solves.")
-        .number("forcing maximum", 1e-3, "-", fraction, "Loosest relative tolerance of the linear solves, and that of the first one.");
+        .number("forcing maximum", 1e-2, "-", fraction, "Loosest relative tolerance of the linear solves, and that of the first one.");
     return schema;
   }
 

@@ -6,10 +6,10 @@ namespace myolines
 {
   namespace
   {
-    class Jacobi : public Preconditioner
+    class Jacobi : public MatrixPreconditioner
     {
     public:
-      void build(const SparseMatrix &matrix, const MultilevelData *) override
+      void factorise(const SparseMatrix &matrix, const MultilevelData *) override
       {
         inverse_.clear();
         const auto [begin, end] = matrix.local_range();
@@ -22,6 +22,8 @@ namespace myolines
           }
       }
 
+      unsigned int set_up_cost() const override { return 10; }
+
       void apply(const double *r, double *z) const override
       {
         for (std::size_t i = 0; i < inverse_.size(); ++i)
@@ -32,22 +34,25 @@ namespace myolines
       std::vector<double> inverse_;
     };
 
-    /// The options of "automatic" are those of its two alternatives and the size that decides. Measured on the active 3D
-    /// muscle, seconds per step of direct and ml: 1.1 and 3.6 (14,739 unknowns), 18 and 44 (107,811).
+    /// Measured on the active 3D muscle, see doc/performance.md.
     PreconditionerEntry automatic_entry()
     {
-      PreconditionerEntry direct = direct_preconditioner_entry();
-      PreconditionerEntry ml     = ml_preconditioner_entry();
-
       PreconditionerEntry entry;
       entry.name    = "automatic";
-      entry.summary = "direct up to a number of unknowns, ml above.";
-      entry.schema  = ml.schema;
-      entry.schema.integer(
-          "direct up to", 120000, scene::Range::not_negative(),
-          "Largest number of unknowns for which direct is taken; the factors of 107,811 take 3 GB and half the time of ml.");
-      entry.make = [direct, ml](const scene::Node &node, const std::size_t n_unknowns) {
-        return (n_unknowns <= static_cast<std::size_t>(node.integer("direct up to")) ? direct : ml).make(node, n_unknowns);
+      entry.summary = "direct for small systems; above, p multigrid where the system has two levels, else ml.";
+      entry.schema  = scene::Schema(entry.summary);
+      entry.schema
+          .integer("direct up to", 5000, scene::Range::not_negative(),
+                   "Largest number of unknowns for which direct is taken, if p multigrid could be.")
+          .integer("direct without levels up to", 120000, scene::Range::not_negative(),
+                   "The same if ml is the other choice; the factors of 107,811 unknowns of a muscle take 3 GB.");
+      entry.make = [](const scene::Node &node, const PreconditionerContext &context) -> std::unique_ptr<Preconditioner> {
+        const long limit = node.integer(context.two_levels ? "direct up to" : "direct without levels up to");
+        if (context.n_unknowns <= static_cast<std::size_t>(limit))
+          return make_direct();
+        if (context.two_levels)
+          return make_p_multigrid(context.ledger);
+        return make_ml();
       };
       return entry;
     }
@@ -59,13 +64,14 @@ namespace myolines
     entry.name    = "jacobi";
     entry.summary = "Inverse of the diagonal.";
     entry.schema  = scene::Schema(entry.summary);
-    entry.make    = [](const scene::Node &, std::size_t) { return std::make_unique<Jacobi>(); };
+    entry.make    = [](const scene::Node &, const PreconditionerContext &) { return std::make_unique<Jacobi>(); };
     return entry;
   }
 
   const std::vector<PreconditionerEntry> &preconditioner_registry()
   {
-    static const std::vector<PreconditionerEntry> entries = {automatic_entry(), ml_preconditioner_entry(), jacobi_preconditioner_entry(),
+    static const std::vector<PreconditionerEntry> entries = {automatic_entry(), p_multigrid_preconditioner_entry(),
+                                                             ml_preconditioner_entry(), jacobi_preconditioner_entry(),
                                                              direct_preconditioner_entry()};
     return entries;
   }

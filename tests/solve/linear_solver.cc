@@ -100,7 +100,8 @@ TEST_P(EachPreconditioner, fallsBackToGmresOnAnIndefiniteMatrix)
 INSTANTIATE_TEST_SUITE_P(registry, EachPreconditioner, ::testing::ValuesIn([] {
                            std::vector<std::string> names;
                            for (const PreconditionerEntry &entry : preconditioner_registry())
-                             names.push_back(entry.name);
+                             if (entry.name != "p multigrid") // needs two levels, see the tests of the muscle
+                               names.push_back(entry.name);
                            return names;
                          }()));
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 namespace myolines
 {
   /// Instruction sets that kernels are compiled for; one is chosen when the program starts.
@@ -10,21 +12,28 @@ namespace myolines
     avx512
   };
 
-  /// Cells that a kernel treats at once, one per lane.
+  /// The widest instruction set of this processor that kernels are compiled for.
+  InstructionSet widest_instruction_set();
+
+  const char *name(InstructionSet instruction_set); ///< "baseline", "AVX2", "AVX-512"
+
+  /// Cells (or other equal things) that a kernel treats at once, one per lane.
   constexpr int n_lanes = 8;
 
 #define MYOLINES_INLINE inline __attribute__((always_inline))
 
-  /// One double per lane, as vectors of the width that the instruction set has. The tag makes every function that takes a
+  /// One number per lane, as vectors of the width that the instruction set has. The tag makes every function that takes a
   /// Lanes a different function for each instruction set, so the linker can never put a wide copy of one into a program
   /// running on a narrow processor.
-  template <InstructionSet isa>
+  template <InstructionSet isa, typename Real = double>
   struct Lanes
   {
-    static constexpr int width   = isa == InstructionSet::avx512 ? 8 : isa == InstructionSet::avx2 ? 4 : 2;
+    static constexpr int bytes   = isa == InstructionSet::avx512 ? 64 : isa == InstructionSet::avx2 ? 32 : 16;
+    static constexpr int width   = bytes / sizeof(Real) < n_lanes ? bytes / sizeof(Real) : n_lanes;
     static constexpr int n_parts = n_lanes / width;
-    typedef double       Vec __attribute__((vector_size(width * sizeof(double))));
-    typedef long Bits __attribute__((vector_size(width * sizeof(double))));
+    typedef Real         Vec __attribute__((vector_size(width * sizeof(Real))));
+    using Integer = std::conditional_t<sizeof(Real) == 8, long, int>;
+    typedef Integer Bits __attribute__((vector_size(width * sizeof(Real))));
     struct Mask
     {
       Bits part[n_parts];
@@ -32,13 +41,13 @@ namespace myolines
     Vec part[n_parts];
 
     MYOLINES_INLINE Lanes() {} // uninitialised, like a double
-    MYOLINES_INLINE Lanes(const double x)
+    MYOLINES_INLINE Lanes(const Real x)
     {
       for (int p = 0; p < n_parts; ++p)
         part[p] = Vec{} + x;
     }
-    MYOLINES_INLINE double operator[](const int lane) const { return part[lane / width][lane % width]; }
-    MYOLINES_INLINE void   set(const int lane, const double x) { part[lane / width][lane % width] = x; }
+    MYOLINES_INLINE Real operator[](const int lane) const { return part[lane / width][lane % width]; }
+    MYOLINES_INLINE void set(const int lane, const Real x) { part[lane / width][lane % width] = x; }
 
     MYOLINES_INLINE Lanes &operator+=(const Lanes &b) { return *this = *this + b; }
     MYOLINES_INLINE Lanes &operator-=(const Lanes &b) { return *this = *this - b; }

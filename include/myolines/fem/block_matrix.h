@@ -12,7 +12,8 @@ namespace myolines
   class BlockMatrix
   {
   public:
-    BlockMatrix(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints);
+    /// @p space is any space of @p n_nodes nodes a cell on the mesh of the batches.
+    BlockMatrix(const NodeSpace &space, const CellBatches &batches, int n_nodes, const Constraints &constraints);
 
     /// Sets all entries to zero.
     void clear();

@@ -28,6 +28,7 @@ namespace myolines
     /// @p mesh must outlive the space.
     NodeSpace(const Mesh &mesh, unsigned int degree);
 
+    const Mesh                  &mesh() const { return mesh_; }
     const dealii::DoFHandler<3> &nodes() const { return nodes_; }
     MPI_Comm                     communicator() const { return nodes_.get_communicator(); }
     const dealii::IndexSet      &owned_unknowns() const { return owned_; }
@@ -48,6 +49,7 @@ namespace myolines
     const dealii::Point<3> &node_position(dealii::types::global_dof_index node) const;
 
   private:
+    const Mesh                                                &mesh_;
     unsigned int                                               degree_;
     dealii::FE_Q<3>                                            element_;
     dealii::DoFHandler<3>                                      nodes_;

@@ -10,6 +10,18 @@
 
 namespace myolines
 {
+  /// What a sweep of kernels over the cells needs; borrowed.
+  struct CellSweep
+  {
+    CellSweep(const Element &element, const CellBatches &batches);
+
+    KernelCells cells(unsigned int batch) const;
+
+    const Element     &element;
+    const CellBatches &batches;
+    KernelTables       tables;
+  };
+
   /// Mesh, nodes, batches and kernels of a muscle: everything that does not change in time.
   struct Muscle3dDiscretisation
   {
@@ -29,7 +41,8 @@ namespace myolines
     /// Fills space, batches and constraints from the mesh as it stands; call again after moving mesh vertices.
     void set_up(const Muscle3dParameters &parameters);
 
-    KernelCells kernel_cells(unsigned int batch) const;
+    KernelCells kernel_cells(unsigned int batch) const { return sweep().cells(batch); }
+    CellSweep   sweep() const { return {element, *batches}; }
 
     /// Aligned work storage for the kernels, one caller at a time.
     double *scratch() const { return scratch_.data(); }

@@ -56,6 +56,29 @@ namespace myolines
     n_point_values     = 27
   };
 
+  /// The tangent at a Gauss point, compactly: F and a few products of stress derivatives with w = weight det(dX/dxi); the
+  /// entries from tangent_C on only if the stress depends on the strain rate. Fields of lanes.
+  enum TangentValue
+  {
+    tangent_F         = 0,  ///< 9: deformation gradient
+    tangent_p         = 9,  ///< p_h J w
+    tangent_psi1      = 10, ///< dPsi/dI1 w
+    tangent_psi2      = 11, ///< d2Psi/dI1^2 w
+    tangent_power     = 12, ///< J^(-2/3)
+    tangent_g         = 13, ///< g lam w
+    tangent_stretch   = 14, ///< dg/dlam lam^2 w
+    tangent_size_0    = 15,
+    tangent_C         = 15, ///< dg/d(lam-dot) lam^2 w
+    tangent_rate      = 16, ///< 9: dg/d(lam-dot) lam w (L : Fdot)
+    tangent_size_rate = 25
+  };
+
+  /// Doubles of the tangent of one batch: the points, then the matrix of the volumetric modes.
+  inline std::size_t tangent_size(const int n_points, const int n_modes, const bool rate)
+  {
+    return std::size_t(n_lanes) * (n_points * (rate ? tangent_size_rate : tangent_size_0) + n_modes * n_modes);
+  }
+
   /// The kernels for one instruction set and one degree. u, v, a, x, y, r are the local arrays of vectors (ghosts
   /// included); scratch is aligned storage of scratch_size(n_points_1d, n_modes) doubles.
   struct Kernels
@@ -64,8 +87,12 @@ namespace myolines
     bool (*residual)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, const double *a,
                      double *r, double *scratch);
 
-    /// y += (w_u K + w_v C + w_a M) x at the state (u, v).
-    void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u, const double *v,
+    /// tangent = what the actions of K and C at (u, v) need: tangent_size() doubles.
+    void (*linearise)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *tangent,
+                      double *scratch);
+
+    /// y += (w_u K + w_v C + w_a M) x. @p tangent comes from linearise() with the same model; mass alone needs none.
+    void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *tangent,
                   const double *x, double *y, double *scratch);
 
     /// matrices = w_u K + w_v C + w_a M at (u, v): [9][n_nodes][n_nodes] lanes, block (a, c) at 3 a + c.
@@ -81,9 +108,4 @@ namespace myolines
 
   /// Kernels of degree 1..3 for an instruction set that this processor has.
   const Kernels &kernels(InstructionSet instruction_set, unsigned int degree);
-
-  /// The widest instruction set of this processor that kernels are compiled for.
-  InstructionSet widest_instruction_set();
-
-  const char *name(InstructionSet instruction_set); ///< "baseline", "AVX2", "AVX-512"
 } // namespace myolines

@@ -15,6 +15,9 @@ namespace myolines
     /// @p layout is any vector of the size and distribution of those used later.
     FreeUnknowns(const Constraints &constraints, const Vector &layout);
 
+    /// Whether constrained unknowns depend on others, on any rank.
+    bool related() const { return related_; }
+
     /// f <- C^T f, with zeros in the rows of constrained unknowns: its l2 norm is that over the free ones.
     void condense(Vector &f) const;
 

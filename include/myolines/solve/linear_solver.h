@@ -24,7 +24,7 @@ namespace myolines
   /// application first, and Krylov iterations only if that was not enough.
   ///
   /// The preconditioner is kept from solve to solve. It is rebuilt, depending on `rebuild`, at each new step or only when
-  /// it has become slow: when a solve took `slow iterations` more than the first one after the last rebuild. A solve that
+  /// it has become slow: when the iterations that keeping it has cost are worth a set-up (`slow iterations`). A solve that
   /// fails with a kept preconditioner is repeated with a fresh one. Call forget() before solving with another
   /// Linearisation than before.
   ///

@@ -1,0 +1,9 @@
+#if defined(__x86_64__)
+#  include "patch_kernels.h"
+
+namespace myolines
+{
+  extern const PatchKernels patch_kernels_avx2;
+  const PatchKernels        patch_kernels_avx2 = make_patch_kernels<InstructionSet::avx2>();
+} // namespace myolines
+#endif

@@ -1,0 +1,7 @@
+#include "patch_kernels.h"
+
+namespace myolines
+{
+  extern const PatchKernels patch_kernels_baseline;
+  const PatchKernels        patch_kernels_baseline = make_patch_kernels<InstructionSet::baseline>();
+} // namespace myolines

@@ -1,0 +1,140 @@
+#include "../support/solvers.h"
+#include "fixtures.h"
+
+#include <gtest/gtest.h>
+
+namespace myolines
+{
+  namespace
+  {
+    BoundaryCondition fixed_end()
+    {
+      BoundaryCondition condition;
+      condition.name = "fixed end";
+      return condition;
+    }
+
+    struct Case
+    {
+      unsigned int degree, n_points, refinement;
+      double       activation, bulk_modulus;
+      bool         distorted, exact_tangent;
+      unsigned int most_iterations; ///< to 1e-6
+      double       swelling = 0;
+    };
+
+    /// A muscle linearised at a smooth state; solves with a random right-hand side.
+    struct Problem
+    {
+      explicit Problem(const Case &c)
+        : system(parameters(c), MPI_COMM_WORLD, ledger)
+      {
+        if (c.distorted)
+          system.move_mesh(test::distort);
+        State       state = system.initial_state(0);
+        const auto &space = *system.discretisation().space;
+        // A volumetric stress that balances the active one across the fibres, as at equilibrium, and c.swelling beyond.
+        const double swelling = 7e4 * c.activation / c.bulk_modulus + c.swelling;
+        for (const auto node : space.nodes().locally_owned_dofs())
+          {
+            const auto &x         = space.node_position(node);
+            state.u(3 * node)     = swelling * x[0];
+            state.u(3 * node + 1) = 0.5 * x[0] * x[2];
+            state.u(3 * node + 2) = x[0] * x[0];
+            state.v(3 * node)     = 2 * x[0];
+            state.v(3 * node + 1) = 30 * x[0] * x[2];
+          }
+        state.u.update_ghost_values();
+        state.v.update_ghost_values();
+        linearisation = system.make_linearisation();
+        system.linearise({0, Side::right, state.u, state.v, state.a}, *linearisation);
+        b = space.make_vector();
+        test::randomise(b, 1, 5);
+        symmetric = system.capabilities().symmetric_tangent;
+      }
+
+      static Muscle3dParameters parameters(const Case &c)
+      {
+        Muscle3dParameters p  = test::small_block(c.degree, c.n_points, c.refinement);
+        p.activation          = c.activation > 0 ? std::make_shared<test::ConstantDrive>(c.activation) : nullptr;
+        p.exact_tangent       = c.exact_tangent;
+        p.tissue.bulk_modulus = c.bulk_modulus;
+        p.boundary            = {fixed_end()};
+        return p;
+      }
+
+      std::pair<LinearReport, Vector> solve(const std::string &type, const std::string &form, const double tolerance)
+      {
+        testing::Solvers solvers({}, {"operator=" + form}, {"type=" + type});
+        Vector           x(b);
+        const auto       report =
+            solvers.linear.solve(*linearisation, stage_weights(1, 40, 1600), system.constraints(), symmetric, b, x, tolerance);
+        return {report, x};
+      }
+
+      WorkLedger                     ledger;
+      Muscle3dSystem                 system;
+      std::unique_ptr<Linearisation> linearisation;
+      Vector                         b;
+      bool                           symmetric;
+    };
+
+    class PMultigrid : public ::testing::TestWithParam<Case>
+    {
+    };
+
+    TEST_P(PMultigrid, SolvesLikeTheFactorisationInFewIterations)
+    {
+      Problem problem(GetParam());
+      const auto [report, x]     = problem.solve("p multigrid", "matrix-free", 1e-6);
+      auto [reference, expected] = problem.solve("direct", "assembled", 1e-10);
+      EXPECT_TRUE(report.converged) << report.reason;
+      EXPECT_TRUE(reference.converged) << reference.reason;
+      EXPECT_LE(report.iterations, GetParam().most_iterations);
+      expected -= x;
+      EXPECT_LT(expected.l2_norm(), 1e-3 * x.l2_norm());
+    }
+
+    INSTANTIATE_TEST_SUITE_P(States, PMultigrid,
+                             ::testing::Values(Case{2, 3, 2, 0, 1e7, false, true, 60},    // passive: symmetric, CG
+                                               Case{2, 3, 2, 1, 1e7, false, true, 60},    // fully active: GMRES
+                                               Case{2, 4, 2, 0.5, 1e7, false, false, 60}, // symmetrised, lean quadrature
+                                               Case{2, 3, 2, 0.5, 1e6, true, true, 60},   // no cell is a parallelepiped
+                                               Case{2, 3, 2, 0.5, 1e8, false, true, 60},  //
+                                               Case{3, 4, 1, 0.5, 1e7, true, true, 60}));
+
+    TEST(PMultigridSolver, GivesTheSameWithEitherFormOfTheOperator)
+    {
+      Problem problem({2, 3, 1, 1, 1e7, true, true, 0});
+      const auto [free, x] = problem.solve("p multigrid", "matrix-free", 1e-11);
+      auto [assembled, y]  = problem.solve("p multigrid", "assembled", 1e-11);
+      EXPECT_TRUE(free.converged && assembled.converged);
+      y -= x;
+      EXPECT_LT(y.l2_norm(), 1e-8 * x.l2_norm());
+    }
+
+    TEST(PMultigridSolver, SurvivesAnIndefiniteTangent)
+    {
+      Problem problem({2, 3, 1, 1, 1e7, false, true, 0, 0.02});
+      const auto [report, x]     = problem.solve("p multigrid", "automatic", 1e-6);
+      auto [reference, expected] = problem.solve("direct", "automatic", 1e-10);
+      EXPECT_TRUE(report.converged) << report.reason;
+      expected -= x;
+      EXPECT_LT(expected.l2_norm(), 1e-3 * x.l2_norm());
+    }
+
+    TEST(PMultigridSolver, IsReproducible)
+    {
+      Vector first;
+      for (const int run : {0, 1})
+        {
+          Problem      problem({2, 4, 1, 1, 1e7, true, true, 0});
+          const Vector x = problem.solve("p multigrid", "automatic", 1e-6).second;
+          if (run == 0)
+            first = x;
+          else
+            EXPECT_TRUE(std::equal(x.begin(), x.end(), first.begin()));
+        }
+    }
+  } // namespace
+} // namespace myolines
