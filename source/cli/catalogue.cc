@@ -3,6 +3,7 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
+#include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/outputs.h>
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/time/step_control.h>
@@ -20,7 +21,7 @@ namespace myolines
     AssembledSystem assemble(std::unique_ptr<System> system, WorkLedger &ledger)
     {
       AssembledSystem assembled;
-      assembled.make_outputs = [&system = *system, &ledger](const Node &output, const std::filesystem::path &folder) {
+      assembled.make_outputs = [&system = *system, &ledger](const Node &output, const OutputFolder &folder) {
         return myolines::make_outputs(output, system, folder, ledger);
       };
       assembled.system = std::move(system);
@@ -118,13 +119,16 @@ namespace myolines
         .section("linear", LinearSolver::linear_schema())
         .section("preconditioner", LinearSolver::preconditioner_schema());
 
+    Schema output = output_of.output;
+    output.section("checkpoint", checkpoint_schema());
+
     Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");
     root.text("title", "", "What this scene is about.")
         .section("system", Schema("What is computed.").variant("type", std::nullopt, systems, "Kind of system."))
         .section("integrator", integrator_schema())
         .section("time", time_schema())
         .section("solver", solver)
-        .section("output", output_of.output);
+        .section("output", output);
     return root;
   }
 

@@ -12,7 +12,7 @@ using namespace myolines;
 TEST(CsvFile, NumbersReadBackExactly)
 {
   test::Folder                           folder;
-  CsvFile                                csv(folder.path / "a.csv", {"value"});
+  CsvFile                                csv(folder.path, "a.csv", {"value"});
   std::mt19937                           random(7);
   std::uniform_real_distribution<double> mantissa(-1, 1);
   std::uniform_int_distribution<int>     exponent(-300, 300);
@@ -32,7 +32,7 @@ TEST(CsvFile, NumbersReadBackExactly)
 TEST(CsvFile, EveryRowIsOnDiskAtOnce)
 {
   test::Folder folder;
-  CsvFile      csv(folder.path / "a.csv", {"Time [s]", "Force [N]"});
+  CsvFile      csv(folder.path, "a.csv", {"Time [s]", "Force [N]"});
   EXPECT_EQ(folder.text("a.csv"), "Time [s],Force [N]\n");
   csv.row(std::vector<double>{0.025, -1.5});
   EXPECT_EQ(folder.text("a.csv"), "Time [s],Force [N]\n0.025,-1.5\n");
@@ -41,7 +41,7 @@ TEST(CsvFile, EveryRowIsOnDiskAtOnce)
 TEST(CsvFile, QuotesWhatWouldBreakATable)
 {
   test::Folder folder;
-  CsvFile      csv(folder.path / "a.csv", {"n", "reason"});
+  CsvFile      csv(folder.path, "a.csv", {"n", "reason"});
   csv.row(std::vector<std::string>{"1", "det F <= 0, \"cell\" 3"});
   EXPECT_EQ(folder.lines("a.csv")[1], "1,\"det F <= 0, \"\"cell\"\" 3\"");
 }
@@ -49,7 +49,7 @@ TEST(CsvFile, QuotesWhatWouldBreakATable)
 TEST(CsvFile, RefusesARowOfAnotherWidth)
 {
   test::Folder folder;
-  CsvFile      csv(folder.path / "a.csv", {"a", "b"});
+  CsvFile      csv(folder.path, "a.csv", {"a", "b"});
   EXPECT_THROW(csv.row(std::vector<double>{1}), std::logic_error);
 }
 
@@ -58,7 +58,7 @@ TEST(CsvFile, SaysWhichFileCannotBeWritten)
   test::Folder folder;
   try
     {
-      CsvFile csv(folder.path / "missing" / "a.csv", {"a"});
+      CsvFile csv(folder.path / "missing", "a.csv", {"a"});
       FAIL() << "a file in a missing folder was opened";
     }
   catch (const std::runtime_error &error)

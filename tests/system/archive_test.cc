@@ -41,5 +41,5 @@ TEST(Archive, laterValuesReplaceEarlierOnes)
   archive.put("cuts", 1);
   archive.put("cuts", 2);
   EXPECT_EQ(archive.number("cuts"), 2);
-  EXPECT_EQ(archive.entries().size(), 1u);
+  EXPECT_EQ(archive.all_numbers().size(), 1u);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/semi_discrete_system.h>
@@ -19,7 +20,7 @@ namespace myolines
     std::unique_ptr<SemiDiscreteSystem> system;
 
     /// Observers for the list `output`; they refer to the system.
-    std::function<std::vector<std::unique_ptr<Observer>>(const scene::Node &output, const std::filesystem::path &folder)> make_outputs;
+    std::function<std::vector<std::unique_ptr<Observer>>(const scene::Node &output, const OutputFolder &folder)> make_outputs;
 
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
@@ -42,7 +43,7 @@ namespace myolines
   /// @throws InputError with the nearest valid name; @p where is the place of the name.
   const SystemEntry &system_entry(const std::string &name, const std::string &where);
 
-  /// The whole scene with the outputs of @p system.
+  /// The whole scene with the outputs of @p system, and its checkpoints.
   scene::Schema root_schema(const SystemEntry &system);
 
   /// Reads and validates @p file. The outputs that a scene may ask for depend on its system/type, which is looked at first.

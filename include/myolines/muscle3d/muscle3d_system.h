@@ -37,6 +37,7 @@ namespace myolines
     std::unique_ptr<Linearisation> make_linearisation() const override;
     void                           linearise(const Point &point, Linearisation &linearisation) const override;
     std::vector<double>            events(double t0, double t1) const override;
+    std::vector<unsigned int>      canonical_order() const override;
 
     const Muscle3dParameters     &parameters() const { return parameters_; }
     const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }

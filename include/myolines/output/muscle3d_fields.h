@@ -1,10 +1,10 @@
 #pragma once
 
 #include <myolines/muscle3d/measurements.h>
+#include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
 #include <myolines/time/loop.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,9 +15,10 @@ namespace myolines
   /// Parameters of the optional list `fields`.
   scene::Schema fields_schema();
 
-  /// Writes fields-NNNN.vtu (.pvtu) and keeps fields.pvd, their list, valid at all times.
+  /// Writes fields-NNNN.vtu (.pvtu) or fields-NNNN.h5 and keeps fields.pvd or fields.xdmf, their list, valid at all times.
+  /// Ledger: "field outputs"; seconds of "output fields".
   /// @throws InputError for an unknown field.
-  std::unique_ptr<Observer> make_fields(const scene::Node &fields, const Muscle3dSystem &system, const std::filesystem::path &folder,
+  std::unique_ptr<Observer> make_fields(const scene::Node &fields, const Muscle3dSystem &system, const OutputFolder &folder,
                                         WorkLedger &ledger);
 
   /// The names in "displacement, fibre stretch". @throws InputError for one that is not in @p known, or for none at all.
