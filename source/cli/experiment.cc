@@ -1,4 +1,5 @@
 #include <myolines/cli/experiment.h>
+#include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/time/stage.h>
 
@@ -22,10 +23,16 @@ namespace myolines
 
       std::vector<double> sizes;
     };
+    /// @p scene, if what it asks for can be made at all.
+    scene::Node feasible(scene::Node scene)
+    {
+      refuse_too_large(scene);
+      return scene;
+    }
   } // namespace
 
   Experiment::Experiment(scene::Node scene)
-    : scene_(std::move(scene))
+    : scene_(feasible(std::move(scene)))
     , assembled_(system_entry(scene_.section("system").text("type"), scene_.section("system").where("type"))
                      .make(scene_.section("system"), ledger_))
     , method_(integrator_entry(scene_.section("integrator").text("type")))

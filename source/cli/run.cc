@@ -30,8 +30,10 @@ namespace myolines
       for (const auto &entry : std::filesystem::directory_iterator(folder))
         {
           const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
-          const bool        field = name.rfind("fields", 0) == 0 && (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd");
-          if (entry.is_regular_file() && (field || is_series(name)))
+          const bool        field = name.rfind("fields", 0) == 0 && (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd" ||
+                                                              extension == ".h5" || extension == ".xdmf");
+          const bool        table = name.rfind("quadrature-", 0) == 0 && extension == ".h5";
+          if (entry.is_regular_file() && (field || table || is_series(name)))
             old.push_back(entry.path());
         }
       for (const auto &file : old)
@@ -87,7 +89,10 @@ namespace myolines
               << (folder / series).string() << "' using 1:2 with lines\"\n";
       if (std::filesystem::exists(folder / "fields.pvd"))
         out << "  fields.pvd   fields, for ParaView\n";
+      if (std::filesystem::exists(folder / "fields.xdmf"))
+        out << "  fields.xdmf  fields, for ParaView\n";
       out << "  steps.csv, run.log, ledger.json   steps, iterations and work\n"
+          << "  checkpoint   the last state: --resume goes on from it, --set time/end=... extends the run\n"
           << "  scene.resolved.xml, manifest.json   what was run, and with what\n";
     }
 

@@ -1,3 +1,4 @@
+#include "hdf5_tables.h"
 #include "point_states.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -135,6 +136,32 @@ namespace myolines
       dealii::DoFHandler<3>                vectors_, scalars_;
       std::vector<std::unique_ptr<Vector>> data_;
     };
+
+    using Filter = dealii::DataOutBase::DataOutFilter;
+
+    void write_mesh(const Filter &filter, const std::string &file, const MPI_Comm communicator)
+    {
+      const RowShare            points(filter.n_nodes(), communicator), cells(filter.n_cells(), communicator);
+      std::vector<double>       positions;
+      std::vector<unsigned int> vertices;
+      filter.fill_node_data(positions);
+      filter.fill_cell_data(points.before, vertices);
+      dealii::HDF5::File hdf5(file, dealii::HDF5::File::FileAccessMode::create, communicator);
+      write_rows(hdf5, "nodes", positions, points, {3});
+      write_rows(hdf5, "cells", vertices, cells, {8});
+    }
+
+    void write_data(const Filter &filter, const std::vector<std::string> &fields, const std::string &file, const MPI_Comm communicator)
+    {
+      const RowShare     points(filter.n_nodes(), communicator);
+      dealii::HDF5::File hdf5(file, dealii::HDF5::File::FileAccessMode::create, communicator);
+      for (unsigned int i = 0; i < fields.size(); ++i)
+        {
+          const unsigned int width  = filter.get_data_set_dim(i);
+          const double      *values = filter.get_data_set(i);
+          write_rows(hdf5, filter.get_data_set_name(i), std::vector<double>(values, values + width * points.own), points, {width});
+        }
+    }
   } // namespace
 
   const std::vector<std::string> &field_names()
@@ -189,10 +216,21 @@ namespace myolines
   {
     FieldPatches patches(system, state, fields);
     patches.out.build_patches(system.parameters().degree);
-    // Vertices shared by cells are not merged: discontinuous fields have a value in each cell.
-    dealii::DataOutBase::DataOutFilter table(dealii::DataOutBase::DataOutFilterFlags(/*merge*/ false, /*xdmf*/ true));
-    patches.out.write_filtered_data(table);
-    patches.out.write_hdf5_parallel(table, mesh.has_value(), folder + "/" + mesh.value_or(""), folder + "/" + file,
-                                    system.discretisation().communicator);
+    const MPI_Comm communicator = system.discretisation().communicator;
+    const Writers  writers(system.discretisation().batches->n_owned_batches() > 0, communicator);
+    if (writers.this_rank())
+      {
+        // Vertices shared by cells are not merged: discontinuous fields have a value in each cell.
+        dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(/*merge*/ false, /*xdmf*/ true));
+        patches.out.write_filtered_data(filter);
+        if (mesh)
+          write_mesh(filter, folder + "/" + *mesh, writers.communicator());
+        write_data(filter, fields, folder + "/" + file, writers.communicator());
+      }
+    MPI_Barrier(communicator);
+    const FieldSizes sizes = field_sizes(system);
+    if (mesh)
+      require_size(folder + "/" + *mesh, sizes.points * 3 * sizeof(double) + sizes.cells * 8 * sizeof(unsigned int));
+    require_size(folder + "/" + file, sizes.points * fields.size() * sizeof(double));
   }
 } // namespace myolines

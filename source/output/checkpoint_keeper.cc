@@ -46,7 +46,7 @@ namespace myolines
 
   void CheckpointKeeper::ended(const State &state, const std::size_t step)
   {
-    if (step > 0 && written_step_ != step)
+    if (step > 0)
       write(state, step);
   }
 
@@ -74,7 +74,6 @@ namespace myolines
       checkpoint.instruction_set = name(widest_instruction_set());
       write_checkpoint(file_, checkpoint, run_.system);
     }
-    written_step_ = step;
-    written_at_   = std::chrono::steady_clock::now();
+    written_at_ = std::chrono::steady_clock::now();
   }
 } // namespace myolines

@@ -102,7 +102,7 @@ namespace myolines
     public:
       Fields(const scene::Node &fields, const Muscle3dSystem &system, const OutputFolder &folder, WorkLedger &ledger)
         : PeriodicOutput(fields.integer("every"))
-        , output_{system, read_field_names(fields, field_names()), folder.path}
+        , output_{system, read_names(fields, field_names(), "field"), folder.path}
         , memory_("fields, " + fields.text("format"))
         , ledger_(ledger)
       {

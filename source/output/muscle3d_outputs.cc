@@ -130,7 +130,10 @@ namespace myolines
 
   Schema muscle3d_output_schema()
   {
-    return Schema("What to write.").section("series", series_schema()).optional_section("fields", fields_schema());
+    return Schema("What to write.")
+        .section("series", series_schema())
+        .optional_section("fields", fields_schema())
+        .optional_section("quadrature", point_tables_schema());
   }
 
   std::vector<std::unique_ptr<Observer>> make_outputs(const Node &output, const Muscle3dSystem &system, const OutputFolder &folder,
@@ -140,6 +143,8 @@ namespace myolines
     observers.push_back(std::make_unique<Series>(output.section("series"), system, folder, ledger));
     if (output.has("fields"))
       observers.push_back(make_fields(output.section("fields"), system, folder, ledger));
+    if (output.has("quadrature"))
+      observers.push_back(make_point_tables(output.section("quadrature"), system, folder, ledger));
     return observers;
   }
 } // namespace myolines

@@ -1,3 +1,4 @@
+#include <myolines/base/error.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/text_file.h>
 
@@ -65,6 +66,43 @@ TEST(CsvFile, SaysWhichFileCannotBeWritten)
     {
       EXPECT_NE(std::string(error.what()).find("a.csv"), std::string::npos);
     }
+}
+
+namespace
+{
+  Archive with_two_rows(const test::Folder &folder)
+  {
+    Archive saved;
+    CsvFile csv(folder.path, "a.csv", {"Time [s]", "Force [N]"});
+    csv.row(std::vector<double>{0, 1});
+    csv.row(std::vector<double>{1, 2});
+    csv.save(saved);
+    csv.row(std::vector<double>{2, 3}); // after it was saved: lost to whoever resumes
+    return saved;
+  }
+} // namespace
+
+TEST(CsvFile, AResumedRunGoesOnWhereItWasSaved)
+{
+  test::Folder  folder;
+  const Archive saved = with_two_rows(folder);
+  CsvFile       csv(OutputFolder(folder.path, &saved), "a.csv", {"Time [s]", "Force [N]"});
+  csv.row(std::vector<double>{2, 30});
+  EXPECT_EQ(folder.text("a.csv"), "Time [s],Force [N]\n0,1\n1,2\n2,30\n");
+  CsvFile fresh(OutputFolder(folder.path, &saved), "b.csv", {"Time [s]"});
+  EXPECT_EQ(folder.text("b.csv"), "Time [s]\n") << "a file that was not saved begins anew";
+}
+
+TEST(CsvFile, AResumedRunRefusesAFileThatIsNotAsItWas)
+{
+  test::Folder  folder;
+  const Archive saved = with_two_rows(folder);
+  const auto    again = [&](const std::vector<std::string> &columns) { CsvFile(OutputFolder(folder.path, &saved), "a.csv", columns); };
+  EXPECT_THROW(again({"Time [s]", "Force [kN]"}), InputError);
+  std::filesystem::resize_file(folder.path / "a.csv", 25);
+  EXPECT_THROW(again({"Time [s]", "Force [N]"}), InputError);
+  std::filesystem::remove(folder.path / "a.csv");
+  EXPECT_THROW(again({"Time [s]", "Force [N]"}), InputError);
 }
 
 TEST(TextFile, ReplacesAndLeavesNothingBehind)

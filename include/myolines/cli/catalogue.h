@@ -26,6 +26,14 @@ namespace myolines
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
   };
 
+  /// How large a system will be, known before it is made.
+  struct SizeEstimate
+  {
+    double n_unknowns   = 0; ///< on all ranks
+    double bytes        = 0; ///< on each rank: system, assembled tangent, vectors of a run
+    double matrix_bytes = 0; ///< on each rank: the assembled tangent alone
+  };
+
   /// What a kind of system brings to scenes, help and templates.
   struct SystemEntry
   {
@@ -34,7 +42,8 @@ namespace myolines
     scene::Schema               output;          ///< of the list `output`
     std::vector<scene::Setting> example;         ///< a small scene, without the integrator
     std::vector<scene::Setting> without_inertia; ///< turns the example quasi-static; empty if it cannot be
-    std::function<AssembledSystem(const scene::Node &, WorkLedger &)> make;
+    std::function<AssembledSystem(const scene::Node &, WorkLedger &)>    make;
+    std::function<SizeEstimate(const scene::Node &, unsigned int ranks)> size;
   };
 
   /// All systems, in the order of `myolines list systems`. A new system is one more entry here.

@@ -122,6 +122,19 @@ namespace myolines
   void write_fields_hdf5(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
                          const std::string &folder, const std::string &file, const std::optional<std::string> &mesh);
 
+  /// A quantity at quadrature points: the name that Flexodeal gives its column, unit and meaning.
+  struct PointColumn
+  {
+    std::string name, unit, meaning;
+  };
+  const std::vector<PointColumn> &point_columns();
+
+  /// Writes @p columns (names of point_columns()) of @p state to the HDF5 file @p file, one table of doubles for each, with its unit as
+  /// attribute; attribute "Time [s]" of the file. Rows are the quadrature points of cell after cell, x fastest, cells in the order of
+  /// the forest: the same for any number of ranks. Collective. @throws std::runtime_error if the disk refuses.
+  void write_point_table(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &columns,
+                         const std::string &file);
+
   /// True for the fields with three components.
   bool is_vector_field(const std::string &field);
   /// The name of @p field in files, without blanks.

@@ -49,7 +49,6 @@ namespace myolines
     std::size_t                           every_;
     double                                seconds_;
     std::chrono::steady_clock::time_point written_at_;
-    std::optional<std::size_t>            written_step_;
     Archive                               control_; ///< after the last accepted step, without the rejections since
   };
 } // namespace myolines

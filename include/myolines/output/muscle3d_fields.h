@@ -21,8 +21,15 @@ namespace myolines
   std::unique_ptr<Observer> make_fields(const scene::Node &fields, const Muscle3dSystem &system, const OutputFolder &folder,
                                         WorkLedger &ledger);
 
-  /// The names in "displacement, fibre stretch". @throws InputError for one that is not in @p known, or for none at all.
-  std::vector<std::string> read_field_names(const scene::Node &fields, const std::vector<std::string> &known);
+  /// Parameters of the optional list `quadrature`, and what writes the tables it asks for. @throws InputError for an unknown column.
+  /// Ledger: "quadrature outputs"; seconds of "output quadrature".
+  scene::Schema             point_tables_schema();
+  std::unique_ptr<Observer> make_point_tables(const scene::Node &quadrature, const Muscle3dSystem &system, const OutputFolder &folder,
+                                              WorkLedger &ledger);
+
+  /// The names in `what` = "displacement, fibre stretch" of @p list. @throws InputError for one that is not in @p known, or for none at
+  /// all; @p kind says of what ("field").
+  std::vector<std::string> read_names(const scene::Node &list, const std::vector<std::string> &known, const std::string &kind);
 
   /// ParaView collection of files, each valid from its time on [s].
   std::string pvd_text(const std::vector<std::pair<double, std::string>> &files);
