@@ -50,6 +50,24 @@ TEST(Resume, ALaterEndExtendsTheRunBitForBit)
     }
 }
 
+TEST(Resume, ACutStepGrowsAsIfNothingHadHappened)
+{
+  // A stiff spring and three Newton iterations: half of the steps are cut, and grow by a factor that is no power of two.
+  const Folder      folder;
+  const std::string cut = "--set output/checkpoint/every=1 --set \"system/cubic stiffness=1e3\" --set "
+                          "\"solver/nonlinear/maximum iterations=3\" --set \"time/control/growth factor=1.5\" ";
+  ASSERT_EQ(folder.run("swing", "whole", cut).exit_code, 0);
+  ASSERT_EQ(folder.run("swing", "part", cut + "--set time/end=0.5").exit_code, 0);
+  const std::string saved = folder.text("part/checkpoint");
+  const std::string cuts  = "\"step control: cuts\": [\n   \"";
+  ASSERT_NE(saved.find(cuts), std::string::npos);
+  EXPECT_NE(saved.substr(saved.find(cuts) + cuts.size(), 2), "0\"") << "the control has something to remember";
+  ASSERT_EQ(folder.run("swing", "part", cut + "--resume").exit_code, 0);
+  EXPECT_NE(folder.text("part/steps.csv").find("not converged"), std::string::npos);
+  for (const char *file : {"trajectory.csv", "steps.csv"})
+    EXPECT_EQ(folder.text(std::string("part/") + file), folder.text(std::string("whole/") + file)) << file;
+}
+
 TEST(Resume, TheLastRowGivesWayToWhatFollows)
 {
   const Folder folder;
