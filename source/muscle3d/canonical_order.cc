@@ -8,12 +8,15 @@ namespace myolines
 {
   std::vector<NodeSpace::Cell> cells_in_forest_order(const Muscle3dDiscretisation &discretisation)
   {
-    std::vector<NodeSpace::Cell> cells;
+    // An id is the number of the tree and then that of the child, of its child, and so on.
+    std::vector<std::pair<dealii::CellId, NodeSpace::Cell>> placed;
     for (const NodeSpace::Cell &cell : discretisation.space->nodes().active_cell_iterators())
       if (cell->is_locally_owned())
-        cells.push_back(cell);
-    // An id is the number of the tree and then that of the child, of its child, and so on.
-    std::sort(cells.begin(), cells.end(), [](const auto &one, const auto &other) { return one->id() < other->id(); });
+        placed.emplace_back(cell->id(), cell);
+    std::sort(placed.begin(), placed.end(), [](const auto &one, const auto &other) { return one.first < other.first; });
+    std::vector<NodeSpace::Cell> cells;
+    for (const auto &[id, cell] : placed)
+      cells.push_back(cell);
     return cells;
   }
 

@@ -27,7 +27,7 @@ namespace myolines
   /// Writes @p checkpoint to @p file: first to a file beside it, then, when that is on the disk, in one move; whenever the
   /// program is killed, one whole checkpoint stands. Collective. Vectors are written in the canonical order of the system, bit by
   /// bit, and the integrator's with them; of outputs and control only numbers.
-  /// @throws std::runtime_error on all ranks if the disk refuses.
+  /// @throws std::runtime_error if the disk refuses, on the ranks that notice.
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const SemiDiscreteSystem &system);
 
   /// Reads what write_checkpoint() wrote, on any number of ranks. Collective.
