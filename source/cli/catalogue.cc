@@ -3,11 +3,10 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
+#include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/outputs.h>
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/time/step_control.h>
-
-#include <sstream>
 
 namespace myolines
 {
@@ -20,19 +19,11 @@ namespace myolines
     AssembledSystem assemble(std::unique_ptr<System> system, WorkLedger &ledger)
     {
       AssembledSystem assembled;
-      assembled.make_outputs = [&system = *system, &ledger](const Node &output, const std::filesystem::path &folder) {
+      assembled.make_outputs = [&system = *system, &ledger](const Node &output, const OutputFolder &folder) {
         return myolines::make_outputs(output, system, folder, ledger);
       };
       assembled.system = std::move(system);
       return assembled;
-    }
-
-    std::string bytes_text(const double bytes)
-    {
-      std::ostringstream text;
-      text.precision(3);
-      text << bytes / 1e6 << " MB";
-      return text.str();
     }
 
     AssembledSystem make_muscle3d(const Node &node, WorkLedger &ledger)
@@ -41,7 +32,6 @@ namespace myolines
       const Muscle3dParameters parameters = system->parameters();
       std::vector<std::string> plan       = system->plan();
       plan.push_back("cells: " + std::to_string(system->n_cells()));
-      plan.push_back("memory of a rank for the system and its assembled tangent: about " + bytes_text(system->memory_estimate()));
 
       AssembledSystem assembled = assemble(std::move(system), ledger);
       assembled.plan            = std::move(plan);
@@ -55,6 +45,14 @@ namespace myolines
     {
       return assemble(std::make_unique<OscillatorSystem>(read_oscillator(node), ledger), ledger);
     }
+
+    SizeEstimate muscle3d_size(const Node &node, const unsigned int ranks)
+    {
+      const Muscle3dSizes sizes = estimate_sizes(read_muscle3d(node), ranks);
+      return {sizes.n_unknowns, sizes.bytes, sizes.matrix_bytes};
+    }
+
+    SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0}; }
 
     std::vector<SystemEntry> make_catalogue()
     {
@@ -74,8 +72,14 @@ namespace myolines
                                                   {"time/end", "0.2"},
                                                   {"time/step", "0.025"}};
       const std::vector<scene::Setting> swinging{{"title", "Free oscillation"}, {"time/end", "10"}, {"time/step", "0.1"}};
-      return {{"muscle 3d", muscle3d_schema(), muscle3d_output_schema(), isometric, {{"system/inertia", "quasi-static"}}, make_muscle3d},
-              {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator}};
+      return {{"muscle 3d",
+               muscle3d_schema(),
+               muscle3d_output_schema(),
+               isometric,
+               {{"system/inertia", "quasi-static"}},
+               make_muscle3d,
+               muscle3d_size},
+              {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator, oscillator_size}};
     }
 
     Schema integrator_schema()
@@ -118,13 +122,16 @@ namespace myolines
         .section("linear", LinearSolver::linear_schema())
         .section("preconditioner", LinearSolver::preconditioner_schema());
 
+    Schema output = output_of.output;
+    output.section("checkpoint", checkpoint_schema());
+
     Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");
     root.text("title", "", "What this scene is about.")
         .section("system", Schema("What is computed.").variant("type", std::nullopt, systems, "Kind of system."))
         .section("integrator", integrator_schema())
         .section("time", time_schema())
         .section("solver", solver)
-        .section("output", output_of.output);
+        .section("output", output);
     return root;
   }
 

@@ -1,5 +1,6 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
+#include <myolines/cli/memory.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -79,6 +80,8 @@ namespace myolines
     out << "System: " << experiment.scene().section("system").text("type")
         << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
     for (const std::string &line : experiment.assembled().plan)
+      out << "  " << line << "\n";
+    for (const std::string &line : memory_lines(experiment.scene()))
       out << "  " << line << "\n";
     print_method(experiment.method(), out);
     print_steps(experiment, out);

@@ -1,4 +1,6 @@
 #include <myolines/cli/experiment.h>
+#include <myolines/cli/memory.h>
+#include <myolines/output/checkpoint_keeper.h>
 #include <myolines/time/stage.h>
 
 namespace myolines
@@ -21,10 +23,16 @@ namespace myolines
 
       std::vector<double> sizes;
     };
+    /// @p scene, if what it asks for can be made at all.
+    scene::Node feasible(scene::Node scene)
+    {
+      refuse_too_large(scene);
+      return scene;
+    }
   } // namespace
 
   Experiment::Experiment(scene::Node scene)
-    : scene_(std::move(scene))
+    : scene_(feasible(std::move(scene)))
     , assembled_(system_entry(scene_.section("system").text("type"), scene_.section("system").where("type"))
                      .make(scene_.section("system"), ledger_))
     , method_(integrator_entry(scene_.section("integrator").text("type")))
@@ -46,10 +54,28 @@ namespace myolines
                   "or a system without inertia, where it can be without");
   }
 
-  void Experiment::run(const std::vector<Observer *> &observers)
+  void Experiment::resume(const Checkpoint &checkpoint)
   {
-    State state = starting_state(*assembled_.system, settings_.start, boundary_rates(scene_.section("time")));
-    run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_);
+    settings_.steps_done = checkpoint.step;
+    integrator_->load(checkpoint.integrator);
+    control_->load(checkpoint.control);
+    for (const auto &[name, times] : checkpoint.ledger.counts())
+      ledger_.count(name, times);
+    for (const auto &[phase, seconds] : checkpoint.ledger.seconds())
+      ledger_.add_seconds(phase, seconds);
+    ledger_.count("resumed runs");
+    resumed_ = checkpoint.state;
+  }
+
+  void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder,
+                       const std::function<int()> &stop_signal)
+  {
+    State state = resumed_ ? *resumed_ : starting_state(*assembled_.system, settings_.start, boundary_rates(scene_.section("time")));
+    CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
+                            {*assembled_.system, *integrator_, *control_, observers, ledger_, scene::resolved_xml(scene_),
+                             [this] { linear_.forget(); }, stop_signal},
+                            folder);
+    run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_, &keeper);
   }
 
   std::vector<double> Experiment::planned_steps() const

@@ -2,6 +2,7 @@
 #include <myolines/base/names.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
+#include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>
 #include <myolines/system/drive.h>
 #include <myolines/time/integrator.h>
@@ -74,7 +75,7 @@ namespace myolines
 
     Items outputs()
     {
-      Items items;
+      Items items{{"checkpoint", checkpoint_schema().doc(), describe(checkpoint_schema())}};
       for (const SystemEntry &entry : system_catalogue())
         for (const Item &item : sections(entry.output))
           items.push_back({item.name + " of " + entry.name, item.summary, item.details});

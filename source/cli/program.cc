@@ -24,7 +24,7 @@ namespace myolines
         : out_(out)
       {
         app.require_subcommand(1);
-        app.footer("Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed.");
+        app.footer("Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed or a signal stopped the run.");
         add_run();
         add_check();
         add_list();
@@ -56,6 +56,7 @@ namespace myolines
         CLI::App *command = add(app, "run", "Runs a scene", [this] { run_command(run, out_); });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
         command->add_option("--out", run.folder, "Where to write; default: results/ and the name of the scene")->type_name("DIR");
+        command->add_flag("--resume", run.resume, "Goes on from the checkpoint in the output folder");
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
         add_overrides(command);
       }
@@ -105,11 +106,19 @@ namespace myolines
       FlexodealOptions flexodeal_;
     };
 
+    /// The command as a shell would read it.
     std::string joined(const int argc, const char *const *argv)
     {
       std::string text;
       for (int i = 0; i < argc; ++i)
-        text += (i > 0 ? " " : "") + std::string(argv[i]);
+        {
+          const std::string word  = argv[i];
+          const bool        plain = !word.empty() && word.find_first_of(" \t\n'\"\\$`;&|<>()*?#") == std::string::npos;
+          std::string       quoted;
+          for (const char c : word)
+            quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+          text += (i > 0 ? " " : "") + (plain ? word : "'" + quoted + "'");
+        }
       return text;
     }
 
@@ -147,6 +156,11 @@ namespace myolines
         {
           err << "The solve failed: " << error.what() << "\n"
               << "What was computed before is in the output folder; run.log there tells how the steps went." << std::endl;
+          return ExitCode::solve_failed;
+        }
+      catch (const Interrupted &error)
+        {
+          err << "The run was " << error.what() << std::endl;
           return ExitCode::solve_failed;
         }
       catch (const std::exception &error)

@@ -1,9 +1,9 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
+#include <myolines/cli/resume.h>
+#include <myolines/cli/stop_signals.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/text_file.h>
-
-#include <deal.II/base/mpi.h>
 
 namespace myolines
 {
@@ -13,7 +13,8 @@ namespace myolines
     {
       const std::string peer    = "-3d.csv";
       const bool        of_peer = name.size() > peer.size() && name.compare(name.size() - peer.size(), peer.size(), peer) == 0;
-      for (const char *ours : {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "steps.csv", "ledger.json"})
+      for (const char *ours : {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "steps.csv", "ledger.json",
+                               "checkpoint", "checkpoint.new"})
         if (name == ours)
           return true;
       return of_peer || (name.rfind("force_data-3d-", 0) == 0 && name.find(".csv") != std::string::npos);
@@ -29,51 +30,44 @@ namespace myolines
       for (const auto &entry : std::filesystem::directory_iterator(folder))
         {
           const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
-          const bool        field = name.rfind("fields", 0) == 0 && (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd");
-          if (entry.is_regular_file() && (field || is_series(name)))
+          const bool        field = name.rfind("fields", 0) == 0 && (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd" ||
+                                                              extension == ".h5" || extension == ".xdmf");
+          const bool        table = name.rfind("quadrature-", 0) == 0 && extension == ".h5";
+          if (entry.is_regular_file() && (field || table || is_series(name)))
             old.push_back(entry.path());
         }
       for (const auto &file : old)
         std::filesystem::remove(file);
     }
 
-    /// Makes the folder and tries to write there, on the one rank that writes; all ranks learn the verdict.
-    void prepare_folder(const std::filesystem::path &folder)
+    /// Makes the folder and tries to write there; what an earlier run left goes, unless this one goes on with it.
+    void prepare_folder(const std::filesystem::path &folder, const bool resume, const scene::Node &scene)
     {
-      std::string problem;
-      if (writes_files())
-        try
-          {
-            std::filesystem::create_directories(folder);
-            replace_file(folder / "scene.resolved.xml", "");
-            remove_old_results(folder);
-          }
-        catch (const std::exception &error)
-          {
-            problem = error.what();
-          }
-      problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
-      if (!problem.empty())
-        throw InputError(InputProblem{"output folder " + folder.string(), problem, "a folder that can be made and written",
-                                      "choose another one with --out"});
+      on_writing_rank("output folder " + folder.string(), "a folder that can be made and written", "choose another one with --out", [&] {
+        std::filesystem::create_directories(folder);
+        replace_file(folder / "scene.resolved.xml", scene::resolved_xml(scene));
+        if (!resume)
+          remove_old_results(folder);
+      });
     }
 
     /// Counts what happened, for the closing words.
     class Tally : public Observer
     {
     public:
-      void accepted(const State &state, const StepRecord &record) override
+      void resume(const State &state, const std::size_t step) override
       {
         t     = state.t;
-        steps = record.number;
+        steps = step;
       }
+      void accepted(const State &state, const StepRecord &record) override { resume(state, record.number); }
       void rejected(const StepRecord &) override { ++rejections; }
 
       double      t     = 0;
       std::size_t steps = 0, rejections = 0;
     };
 
-    void run_with_outputs(Experiment &experiment, const std::filesystem::path &folder, const bool quiet, Tally &tally)
+    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally)
     {
       auto outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
       outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
@@ -81,7 +75,8 @@ namespace myolines
       std::vector<Observer *> observers{&tally};
       for (const auto &output : outputs)
         observers.push_back(output.get());
-      experiment.run(observers);
+      const StopSignals signals;
+      experiment.run(observers, folder.path, [&] { return signals.noted(); });
     }
 
     void say_where_to_look(const std::filesystem::path &folder, std::ostream &out)
@@ -94,8 +89,39 @@ namespace myolines
               << (folder / series).string() << "' using 1:2 with lines\"\n";
       if (std::filesystem::exists(folder / "fields.pvd"))
         out << "  fields.pvd   fields, for ParaView\n";
+      if (std::filesystem::exists(folder / "fields.xdmf"))
+        out << "  fields.xdmf  fields, for ParaView\n";
       out << "  steps.csv, run.log, ledger.json   steps, iterations and work\n"
+          << "  checkpoint   the last state: --resume goes on from it, --set time/end=... extends the run\n"
           << "  scene.resolved.xml, manifest.json   what was run, and with what\n";
+    }
+
+    /// The checkpoint in @p folder, if it is one of this scene that has not passed its end.
+    Checkpoint read_checkpoint(const Experiment &experiment, const RunOptions &options, const std::filesystem::path &folder)
+    {
+      const CheckpointReader reader(checkpoint_file(folder));
+      refuse_other_run(reader.contents().scene, scene::resolved_xml(experiment.scene()), options.scene.string());
+      const double t = reader.contents().state.t;
+      if (t > experiment.settings().end)
+        experiment.scene().section("time").refuse("end", "the run to resume has passed the end: it is at t = " + exact_text(t) + " s",
+                                                  "a time that it has not reached");
+      return reader.read(*experiment.assembled().system);
+    }
+
+    /// "after step 4 at t = 0.1 s; ranks: 2 instead of 1".
+    std::string resumed_text(const Checkpoint &checkpoint)
+    {
+      std::string text = "after step " + std::to_string(checkpoint.step) + " at t = " + exact_text(checkpoint.state.t) + " s";
+      for (const std::string &change : changes_of_machine(checkpoint))
+        text += "; " + change + " (results agree to solver tolerance)";
+      return text;
+    }
+
+    std::string how_to_resume(const RunOptions &options, const std::filesystem::path &folder)
+    {
+      if (!std::filesystem::exists(checkpoint_file(folder)))
+        return "";
+      return "\nThe last accepted state is saved. To resume: " + options.command_line + (options.resume ? "" : " --resume");
     }
   } // namespace
 
@@ -104,19 +130,46 @@ namespace myolines
     const std::string           started = iso8601_now();
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
     const std::filesystem::path folder = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
-    prepare_folder(folder);
-    replace_file(folder / "scene.resolved.xml", scene::resolved_xml(experiment.scene()));
 
-    write_manifest(folder, options.command_line, started, "running"); // what a killed run leaves
+    std::optional<Checkpoint> checkpoint;
+    std::string               resumed;
+    if (options.resume)
+      {
+        checkpoint = read_checkpoint(experiment, options, folder);
+        resumed    = resumed_text(*checkpoint);
+        if (checkpoint->state.t == experiment.settings().end && run_is_done(folder))
+          {
+            if (!options.quiet)
+              out << "The run in " << folder.string() << " is finished: " << checkpoint->step
+                  << " steps to t = " << exact_text(checkpoint->state.t) << " s. A later end extends it: --set time/end=...\n";
+            return;
+          }
+        experiment.resume(*checkpoint);
+        if (!options.quiet)
+          out << "Resumed " << resumed << ".\n";
+      }
 
+    prepare_folder(folder, options.resume, experiment.scene());
+    const auto book = [&](const std::string &reason) { write_manifest(folder, options.command_line, started, resumed, reason); };
+    book("running"); // what a killed run leaves
     const auto close = [&](const std::string &reason) {
-      write_manifest(folder, options.command_line, started, reason);
+      book(reason);
       write_ledger(folder, experiment.ledger());
     };
     Tally tally;
     try
       {
-        run_with_outputs(experiment, folder, options.quiet, tally);
+        run_with_outputs(experiment, {folder, checkpoint ? &checkpoint->outputs : nullptr}, options.quiet, tally);
+      }
+    catch (const SolveError &error)
+      {
+        close(error.what());
+        throw SolveError(error.what() + how_to_resume(options, folder));
+      }
+    catch (const Interrupted &error)
+      {
+        close(error.what());
+        throw Interrupted(error.what() + how_to_resume(options, folder));
       }
     catch (const std::exception &error)
       {

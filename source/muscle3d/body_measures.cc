@@ -41,6 +41,24 @@ namespace myolines
       const Element &element_;
     };
 
+    void add_active_powers(const Muscle3dParameters &parameters, const double activation, const PointState &p, Powers &powers)
+    {
+      const TissueParameters &tissue = parameters.tissue;
+      const double            lam    = p.isochoric_stretch;
+      const double            power  = p.JxW * tissue.fibre.sigma0 * activation * curves::active(lam).value * p.isochoric_rate / lam;
+      powers.active_power -= power;
+      if (parameters.dynamic && tissue.fibre.force_velocity)
+        powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate).value - 1);
+    }
+
+    void add_load_powers(const Muscle3dSystem &system, const State &state, Powers &powers)
+    {
+      if (!system.loads().any_external())
+        return;
+      powers.traction_power   = system.loads().traction_power(state.t, state.v);
+      powers.body_force_power = system.loads().body_force_power(state.t, state.v);
+    }
+
     void add_energies(const Muscle3dParameters &parameters, const double activation, const PointState &p, BodyMeasures &m)
     {
       const TissueParameters &tissue = parameters.tissue;
@@ -53,12 +71,7 @@ namespace myolines
       if (parameters.dynamic)
         m.kinetic += p.JxW * tissue.density / 2 * p.velocity.norm_square();
       if (activation != 0)
-        {
-          const double power = p.JxW * tissue.fibre.sigma0 * activation * curves::active(lam).value * p.isochoric_rate / lam;
-          m.active_power -= power;
-          if (parameters.dynamic && tissue.fibre.force_velocity)
-            m.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate).value - 1);
-        }
+        add_active_powers(parameters, activation, p, m);
 
       const Matrix3        gradient = p.F - Matrix3(dealii::unit_symmetric_tensor<3>());
       const Parts<Matrix3> P        = stress_parts(parameters, activation, p);
@@ -139,12 +152,24 @@ namespace myolines
         m.mean_strain_rate /= m.slab_volume;
         m.mean_velocity /= m.slab_volume;
       }
-    if (system.loads().any_external())
-      {
-        m.traction_power   = system.loads().traction_power(state.t, state.v);
-        m.body_force_power = system.loads().body_force_power(state.t, state.v);
-      }
+    add_load_powers(system, state, m);
     return m;
+  }
+
+  Powers measure_powers(const Muscle3dSystem &system, const State &state)
+  {
+    Powers       powers;
+    const double activation = system.activation(state.t);
+    if (activation != 0)
+      {
+        PointStates(system, state).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
+          add_active_powers(system.parameters(), activation, p, powers);
+        });
+        for (double *x : {&powers.active_power, &powers.dissipation})
+          *x = dealii::Utilities::MPI::sum(*x, system.discretisation().communicator);
+      }
+    add_load_powers(system, state, powers);
+    return powers;
   }
 
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state)

@@ -1,3 +1,4 @@
+#include "hdf5_tables.h"
 #include "point_states.h"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -92,6 +93,75 @@ namespace myolines
       y.update_ghost_values();
       return y;
     }
+
+    /// The patches of some fields at an instant, and what they borrow.
+    class FieldPatches
+    {
+    public:
+      FieldPatches(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields)
+        : space_(*system.discretisation().space)
+        , vectors_(space_.nodes().get_triangulation())
+        , scalars_(space_.nodes().get_triangulation())
+      {
+        vectors_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(space_.degree()), 3));
+        scalars_.distribute_dofs(dealii::FE_DGQ<3>(std::max(1u, space_.degree() - 1)));
+        for (const std::string &name : fields)
+          if (is_vector_field(name))
+            add_vector(name, name == "displacement" ? state.u : state.v);
+          else
+            for (const PointField &field : point_fields())
+              if (field.name == name)
+                add_scalar(name, project(system, state, field, scalars_));
+      }
+
+      dealii::DataOut<3> out;
+
+    private:
+      void add_vector(const std::string &name, const Vector &x)
+      {
+        data_.push_back(std::make_unique<Vector>(to_vector_element(space_, x, vectors_)));
+        out.add_data_vector(vectors_, *data_.back(), std::vector<std::string>(3, name),
+                            std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>(
+                                3, dealii::DataComponentInterpretation::component_is_part_of_vector));
+      }
+
+      void add_scalar(const std::string &name, Vector x)
+      {
+        data_.push_back(std::make_unique<Vector>(std::move(x)));
+        data_.back()->update_ghost_values();
+        out.add_data_vector(scalars_, *data_.back(), field_label(name));
+      }
+
+      const NodeSpace                     &space_;
+      dealii::DoFHandler<3>                vectors_, scalars_;
+      std::vector<std::unique_ptr<Vector>> data_;
+    };
+
+    using Filter = dealii::DataOutBase::DataOutFilter;
+
+    void write_mesh(const Filter &filter, const std::string &file, const MPI_Comm communicator)
+    {
+      const RowShare            points(filter.n_nodes(), communicator), cells(filter.n_cells(), communicator);
+      std::vector<double>       positions;
+      std::vector<unsigned int> vertices;
+      filter.fill_node_data(positions);
+      filter.fill_cell_data(points.before, vertices);
+      dealii::HDF5::File hdf5(file, dealii::HDF5::File::FileAccessMode::create, communicator);
+      write_rows(hdf5, "nodes", positions, points, {3});
+      write_rows(hdf5, "cells", vertices, cells, {8});
+    }
+
+    void write_data(const Filter &filter, const std::vector<std::string> &fields, const std::string &file, const MPI_Comm communicator)
+    {
+      const RowShare     points(filter.n_nodes(), communicator);
+      dealii::HDF5::File hdf5(file, dealii::HDF5::File::FileAccessMode::create, communicator);
+      for (unsigned int i = 0; i < fields.size(); ++i)
+        {
+          const unsigned int width  = filter.get_data_set_dim(i);
+          const double      *values = filter.get_data_set(i);
+          write_rows(hdf5, filter.get_data_set_name(i), std::vector<double>(values, values + width * points.own), points, {width});
+        }
+    }
   } // namespace
 
   const std::vector<std::string> &field_names()
@@ -105,47 +175,62 @@ namespace myolines
     return names;
   }
 
-  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
-                           const std::string &folder, const unsigned int number)
-  {
-    const NodeSpace          &space  = *system.discretisation().space;
-    const unsigned int        degree = space.degree();
-    const dealii::FESystem<3> vector_element(dealii::FE_Q<3>(degree), 3);
-    const dealii::FE_DGQ<3>   scalar_element(std::max(1u, degree - 1));
-    dealii::DoFHandler<3>     vectors(space.nodes().get_triangulation()), scalars(space.nodes().get_triangulation());
-    vectors.distribute_dofs(vector_element);
-    scalars.distribute_dofs(scalar_element);
+  bool is_vector_field(const std::string &field) { return field == "displacement" || field == "velocity"; }
 
-    dealii::DataOut<3>            out;
+  std::string field_label(const std::string &field)
+  {
+    std::string label = field;
+    std::replace(label.begin(), label.end(), ' ', '_');
+    return label;
+  }
+
+  std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
+                               const std::string &folder, const unsigned int number)
+  {
+    const MPI_Comm                communicator = system.discretisation().communicator;
+    FieldPatches                  patches(system, state, fields);
     dealii::DataOutBase::VtkFlags flags(state.t, number);
     flags.write_higher_order_cells = true;
-    out.set_flags(flags);
-    const std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation> as_vector(
-        3, dealii::DataComponentInterpretation::component_is_part_of_vector);
-    std::vector<std::unique_ptr<Vector>> data;
-    for (const std::string &name : fields)
-      if (name == "displacement" || name == "velocity")
-        {
-          data.push_back(std::make_unique<Vector>(to_vector_element(space, name == "displacement" ? state.u : state.v, vectors)));
-          out.add_data_vector(vectors, *data.back(), std::vector<std::string>(3, name), as_vector);
-        }
-      else
-        for (const PointField &field : point_fields())
-          if (field.name == name)
-            {
-              std::string label = name;
-              std::replace(label.begin(), label.end(), ' ', '_');
-              data.push_back(std::make_unique<Vector>(project(system, state, field, scalars)));
-              data.back()->update_ghost_values();
-              out.add_data_vector(scalars, *data.back(), label);
-            }
-    out.build_patches(degree);
-    if (dealii::Utilities::MPI::n_mpi_processes(space.communicator()) > 1)
-      return out.write_vtu_with_pvtu_record(folder + "/", "fields", number, space.communicator(), 4);
+    patches.out.set_flags(flags);
+    patches.out.build_patches(system.parameters().degree);
+    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
+      return patches.out.write_vtu_with_pvtu_record(folder + "/", "fields", number, communicator, 4);
     std::ostringstream name;
     name << "fields-" << std::setw(4) << std::setfill('0') << number << ".vtu";
     std::ofstream file(folder + "/" + name.str());
-    out.write_vtu(file);
+    patches.out.write_vtu(file);
+    file.flush();
+    if (!file)
+      throw std::runtime_error("cannot write " + folder + "/" + name.str());
     return name.str();
+  }
+
+  FieldSizes field_sizes(const Muscle3dSystem &system)
+  {
+    const std::uint64_t degree = system.parameters().degree, cells = system.n_cells();
+    return {cells * (degree + 1) * (degree + 1) * (degree + 1), cells * degree * degree * degree};
+  }
+
+  void write_fields_hdf5(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
+                         const std::string &folder, const std::string &file, const std::optional<std::string> &mesh)
+  {
+    FieldPatches patches(system, state, fields);
+    patches.out.build_patches(system.parameters().degree);
+    const MPI_Comm communicator = system.discretisation().communicator;
+    const Writers  writers(system.discretisation().batches->n_owned_batches() > 0, communicator);
+    if (writers.this_rank())
+      {
+        // Vertices shared by cells are not merged: discontinuous fields have a value in each cell.
+        dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(/*merge*/ false, /*xdmf*/ true));
+        patches.out.write_filtered_data(filter);
+        if (mesh)
+          write_mesh(filter, folder + "/" + *mesh, writers.communicator());
+        write_data(filter, fields, folder + "/" + file, writers.communicator());
+      }
+    MPI_Barrier(communicator);
+    const FieldSizes sizes = field_sizes(system);
+    if (mesh)
+      require_size(folder + "/" + *mesh, sizes.points * 3 * sizeof(double) + sizes.cells * 8 * sizeof(unsigned int));
+    require_size(folder + "/" + file, sizes.points * fields.size() * sizeof(double));
   }
 } // namespace myolines

@@ -31,16 +31,31 @@ namespace myolines
     return lines;
   }
 
-  double Muscle3dSystem::memory_estimate() const
+  Muscle3dSizes estimate_sizes(const Muscle3dParameters &parameters, const unsigned int ranks)
   {
-    const Muscle3dDiscretisation &d        = *discretisation_;
-    const double                  cells    = double(d.batches->n_batches()) * n_lanes;
-    const double                  nodes    = d.element.n_nodes;
-    const double                  unknowns = double(d.space->owned_unknowns().n_elements());
-    const double                  row      = 3 * std::pow(2. * d.space->degree() + 1, 3); // most entries of a row of a regular mesh
-    const double                  matrix   = unknowns * row * (sizeof(double) + sizeof(int));
-    const double                  places   = cells * nodes * nodes * sizeof(int);
-    const double                  vectors  = 20 * unknowns * sizeof(double);
-    return d.batches->memory() + matrix + places + vectors;
+    const BlockGeometry &block  = parameters.geometry;
+    const double         k      = parameters.degree;
+    const double         halves = std::exp2(block.refinement);
+    Muscle3dSizes        sizes;
+    sizes.n_cells    = 1;
+    sizes.n_unknowns = 3;
+    for (const unsigned int cells : block.cells)
+      {
+        sizes.n_cells *= cells * halves;
+        sizes.n_unknowns *= k * cells * halves + 1;
+      }
+    // Cells of a rank with one layer of ghosts, were its part a cube; no more than there are.
+    const double own      = std::max(1., sizes.n_cells / ranks);
+    const double seen     = std::min(sizes.n_cells, std::pow(std::cbrt(own) + 2, 3));
+    const double unknowns = sizes.n_unknowns / ranks;
+    const double nodes    = std::pow(k + 1, 3);
+    const double modes    = k * (k + 1) * (k + 2) / 6;
+    const double row      = 3 * std::pow(2 * k + 1, 3); // most entries of a row of a regular mesh
+    const double mesh     = 2000;                       // bytes of a cell in mesh and numbering, measured
+
+    sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int));
+    sizes.bytes        = sizes.matrix_bytes + 20 * unknowns * sizeof(double) +
+                  seen * (mesh + nodes * nodes * sizeof(int) + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
+    return sizes;
   }
 } // namespace myolines

@@ -16,15 +16,55 @@ namespace myolines
         quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
       return quoted + '"';
     }
+
+    std::string line_of(const std::vector<std::string> &texts)
+    {
+      std::string line;
+      for (const std::string &text : texts)
+        line += (line.empty() ? "" : ",") + quoted_if_needed(text);
+      return line;
+    }
+
+    std::string entry(const std::string &name) { return "bytes of " + name; }
   } // namespace
 
-  CsvFile::CsvFile(const std::filesystem::path &file, const std::vector<std::string> &columns)
-    : path_(file)
+  CsvFile::CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns)
+    : name_(name)
+    , path_(folder.path / name)
     , n_columns_(columns.size())
   {
-    if (writes_files())
-      stream_.open(path_, std::ios::binary);
-    write(columns);
+    if (folder.saved != nullptr && folder.saved->has_numbers(entry(name)))
+      on_writing_rank(path_.string(), "the file of the run to resume, as it was when its state was saved",
+                      "put it back, or run the scene from its start",
+                      [&] { go_on(static_cast<std::uintmax_t>(folder.saved->number(entry(name))), columns); });
+    else
+      {
+        if (writes_files())
+          stream_.open(path_, std::ios::binary);
+        write(columns);
+      }
+  }
+
+  void CsvFile::go_on(const std::uintmax_t bytes, const std::vector<std::string> &columns)
+  {
+    std::string   header;
+    std::ifstream before(path_, std::ios::binary);
+    if (!std::getline(before, header))
+      throw std::runtime_error("cannot read the file");
+    if (header != line_of(columns))
+      throw std::runtime_error("has the columns " + header + ", the scene now asks for " + line_of(columns));
+    if (std::filesystem::file_size(path_) < bytes)
+      throw std::runtime_error("is shorter than it was");
+    std::filesystem::resize_file(path_, bytes);
+    stream_.open(path_, std::ios::binary | std::ios::app);
+  }
+
+  void CsvFile::save(Archive &archive) const
+  {
+    if (!writes_files())
+      return;
+    sync_to_disk(path_);
+    archive.put(entry(name_), static_cast<double>(std::filesystem::file_size(path_)));
   }
 
   void CsvFile::row(const std::vector<double> &values)
@@ -48,10 +88,7 @@ namespace myolines
   {
     if (!writes_files())
       return;
-    std::string line;
-    for (const std::string &text : texts)
-      line += (line.empty() ? "" : ",") + quoted_if_needed(text);
-    stream_ << line << '\n' << std::flush;
+    stream_ << line_of(texts) << '\n' << std::flush;
     if (!stream_)
       throw std::runtime_error("cannot write " + path_.string());
   }

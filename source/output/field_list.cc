@@ -8,25 +8,25 @@
 
 namespace myolines
 {
-  std::vector<std::string> read_field_names(const scene::Node &fields, const std::vector<std::string> &known)
+  std::vector<std::string> read_names(const scene::Node &list, const std::vector<std::string> &known, const std::string &kind)
   {
     std::vector<std::string> names;
-    std::istringstream       text(fields.text("what"));
+    std::istringstream       text(list.text("what"));
     for (std::string piece; std::getline(text, piece, ',');)
       {
         const std::string name = scene::trimmed(piece);
         if (std::find(known.begin(), known.end(), name) == known.end())
           {
             const std::string nearest = nearest_name(name, known);
-            fields.refuse("what", "there is no field \"" + name + "\"", "names separated by commas, of: " + join(known),
-                          nearest.empty() ? "" : "nearest: \"" + nearest + "\"");
+            list.refuse("what", "there is no " + kind + " \"" + name + "\"", "names separated by commas, of: " + join(known),
+                        nearest.empty() ? "" : "nearest: \"" + nearest + "\"");
           }
         if (std::find(names.begin(), names.end(), name) == names.end())
           names.push_back(name);
       }
     if (names.empty())
-      fields.refuse("what", "names no field", "names separated by commas, of: " + join(known),
-                    "leave the list \"fields\" out if none is wanted");
+      list.refuse("what", "names no " + kind, "names separated by commas, of: " + join(known),
+                  "leave the list \"" + list.name() + "\" out if none is wanted");
     return names;
   }
 

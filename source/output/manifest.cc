@@ -51,7 +51,7 @@ namespace myolines
   } // namespace
 
   void write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
-                      const std::string &exit_reason)
+                      const std::string &resumed, const std::string &exit_reason)
   {
     const std::string git_hash = MYOLINES_GIT_HASH;
     Json              manifest;
@@ -70,8 +70,21 @@ namespace myolines
     manifest["command line"] = command_line;
     manifest["started"]      = started;
     manifest["finished"]     = iso8601_now();
+    manifest["resumed"]      = resumed.empty() ? Json(nullptr) : Json(resumed);
     manifest["exit reason"]  = exit_reason;
     replace_file(folder / "manifest.json", manifest.dump(2) + "\n");
+  }
+
+  bool run_is_done(const std::filesystem::path &folder)
+  {
+    bool done = false;
+    if (writes_files())
+      {
+        std::ifstream file(folder / "manifest.json");
+        const Json    manifest = Json::parse(file, nullptr, /*allow_exceptions*/ false);
+        done                   = manifest.is_object() && manifest.value("exit reason", "") == "done";
+      }
+    return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, done);
   }
 
   void write_ledger(const std::filesystem::path &folder, const WorkLedger &ledger)

@@ -3,6 +3,7 @@
 #include <myolines/output/muscle3d_fields.h>
 #include <myolines/output/muscle3d_files.h>
 #include <myolines/output/outputs.h>
+#include <myolines/output/periodic_output.h>
 
 #include <algorithm>
 
@@ -22,7 +23,7 @@ namespace myolines
       force_faces.insert(force_faces.end(), face_names().begin(), face_names().end());
 
       Schema series("Time series in CSV files; what no file asks for is not measured.");
-      series.integer("every", 1, Range::closed(1, 1e9), "A row at the start and after every so many accepted steps.")
+      series.integer("every", 1, Range::closed(1, 1e9), "A row at the start, after every so many accepted steps, and at the end.")
           .boolean("forces", true,
                    "force_data-3d.csv: x component of the interior-point estimate (6.2.15) on the force face, by part of the stress.")
           .choice("force face", moving_face, force_faces,
@@ -54,8 +55,7 @@ namespace myolines
 
     bool prescribes_motion(const BoundaryCondition &condition) { return condition.type != BoundaryCondition::Type::traction; }
 
-    std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system,
-                                                        const std::filesystem::path &folder)
+    std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder)
     {
       const Muscle3dParameters &p = system.parameters();
       if (series.boolean("gearing") && !p.dynamic)
@@ -85,35 +85,42 @@ namespace myolines
       return files;
     }
 
-    class Series : public Observer
+    class Series : public PeriodicOutput
     {
     public:
-      Series(const Node &series, const Muscle3dSystem &system, const std::filesystem::path &folder, WorkLedger &ledger)
-        : system_(system)
-        , every_(series.integer("every"))
+      Series(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder, WorkLedger &ledger)
+        : PeriodicOutput(series.integer("every"))
+        , system_(system)
         , slab_(series.text("slab") == "whole cells" ? SlabRule::whole_cells : SlabRule::quadrature_points)
         , ends_(system, force_face(series, system.parameters()))
         , files_(make_files(series, system, folder))
         , ledger_(ledger)
       {}
 
-      void begin(const State &state) override { observe(state, Side::right, 0); }
-      void accepted(const State &state, const StepRecord &record) override { observe(state, Side::left, record.number); }
+      void save(Archive &archive) const override
+      {
+        for (const auto &file : files_)
+          file->save(archive);
+      }
 
     private:
-      void observe(const State &state, const Side side, const std::size_t step)
+      void write(const State &state, const Side side, const std::size_t step) override
       {
         const WorkLedger::Timer timer(ledger_, "output series");
-        const Muscle3dSample    sample(system_, state, side, slab_, ends_);
+        const Muscle3dSample    sample(system_, state, side, slab_, ends_, ledger_);
         for (const auto &file : files_)
-          file->advance(sample);
-        if (step % every_ == 0)
-          for (const auto &file : files_)
-            file->row(sample, step);
+          file->row(sample, step);
+      }
+
+      void pass(const State &state) override
+      {
+        const WorkLedger::Timer timer(ledger_, "output series");
+        const Muscle3dSample    sample(system_, state, Side::left, slab_, ends_, ledger_);
+        for (const auto &file : files_)
+          file->pass(sample);
       }
 
       const Muscle3dSystem                    &system_;
-      std::size_t                              every_;
       SlabRule                                 slab_;
       EndPoints                                ends_;
       std::vector<std::unique_ptr<SeriesFile>> files_;
@@ -123,16 +130,21 @@ namespace myolines
 
   Schema muscle3d_output_schema()
   {
-    return Schema("What to write.").section("series", series_schema()).optional_section("fields", fields_schema());
+    return Schema("What to write.")
+        .section("series", series_schema())
+        .optional_section("fields", fields_schema())
+        .optional_section("quadrature", point_tables_schema());
   }
 
-  std::vector<std::unique_ptr<Observer>> make_outputs(const Node &output, const Muscle3dSystem &system, const std::filesystem::path &folder,
+  std::vector<std::unique_ptr<Observer>> make_outputs(const Node &output, const Muscle3dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &ledger)
   {
     std::vector<std::unique_ptr<Observer>> observers;
     observers.push_back(std::make_unique<Series>(output.section("series"), system, folder, ledger));
     if (output.has("fields"))
       observers.push_back(make_fields(output.section("fields"), system, folder, ledger));
+    if (output.has("quadrature"))
+      observers.push_back(make_point_tables(output.section("quadrature"), system, folder, ledger));
     return observers;
   }
 } // namespace myolines

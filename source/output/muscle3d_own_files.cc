@@ -5,48 +5,47 @@ namespace myolines
 {
   namespace
   {
-    double external_power(const Muscle3dSample &sample)
-    {
-      double power = sample.body().body_force_power + sample.body().traction_power;
-      for (const Reaction &reaction : sample.reactions())
-        power += reaction.power;
-      return power;
-    }
-
     class EnergyBalance : public SeriesFile
     {
     public:
-      explicit EnergyBalance(const std::filesystem::path &file)
-        : csv_(file, {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]", "Active work [J]",
-                      "Dissipated [J]", "External work [J]", "Balance drift [J]"})
-      {}
-
-      void advance(const Muscle3dSample &sample) override
+      explicit EnergyBalance(const OutputFolder &folder)
+        : csv_(folder, "energy_balance.csv",
+               {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]", "Active work [J]",
+                "Dissipated [J]", "External work [J]", "Balance drift [J]"})
       {
-        const BodyMeasures &body = sample.body();
-        const Powers        now{sample.t(), body.active_power, body.dissipation, external_power(sample)};
-        if (before_)
-          {
-            const double half = (now.t - before_->t) / 2;
-            active_work_ += half * (before_->active + now.active);
-            dissipated_ += half * (before_->dissipation + now.dissipation);
-            external_work_ += half * (before_->external + now.external);
-          }
-        else
-          energy_at_start_ = energy(body);
-        before_ = now;
+        if (folder.saved != nullptr && folder.saved->has_numbers(memory))
+          recall(folder.saved->numbers(memory));
       }
 
       void row(const Muscle3dSample &sample, std::size_t) override
       {
         const BodyMeasures &body = sample.body();
+        if (!before_)
+          energy_at_start_ = energy(body);
+        accumulate(sample);
         csv_.row(std::vector<double>{sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive, active_work_,
                                      dissipated_, external_work_,
                                      energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_});
       }
 
+      void pass(const Muscle3dSample &sample) override
+      {
+        if (!before_)
+          energy_at_start_ = energy(sample.body());
+        accumulate(sample);
+      }
+
+      void save(Archive &archive) const override
+      {
+        csv_.save(archive);
+        if (before_)
+          archive.put_numbers(memory, {energy_at_start_, active_work_, dissipated_, external_work_, before_->t, before_->active,
+                                       before_->dissipation, before_->external});
+      }
+
     private:
-      struct Powers
+      /// What the integrals need of an instant.
+      struct Rates
       {
         double t;
         double active;
@@ -59,23 +58,56 @@ namespace myolines
         return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive;
       }
 
-      CsvFile               csv_;
-      std::optional<Powers> before_;
-      double                energy_at_start_ = 0;
-      double                active_work_     = 0;
-      double                dissipated_      = 0;
-      double                external_work_   = 0;
+      static Rates rates(const Muscle3dSample &sample)
+      {
+        const Powers powers = sample.powers();
+        Rates        rates{sample.t(), powers.active_power, powers.dissipation, powers.body_force_power + powers.traction_power};
+        for (const Reaction &reaction : sample.reactions())
+          rates.external += reaction.power;
+        return rates;
+      }
+
+      void accumulate(const Muscle3dSample &sample)
+      {
+        const Rates now = rates(sample);
+        if (before_)
+          {
+            const double half = (now.t - before_->t) / 2;
+            active_work_ += half * (before_->active + now.active);
+            dissipated_ += half * (before_->dissipation + now.dissipation);
+            external_work_ += half * (before_->external + now.external);
+          }
+        before_ = now;
+      }
+
+      void recall(const std::vector<double> &saved)
+      {
+        energy_at_start_ = saved.at(0);
+        active_work_     = saved.at(1);
+        dissipated_      = saved.at(2);
+        external_work_   = saved.at(3);
+        before_          = Rates{saved.at(4), saved.at(5), saved.at(6), saved.at(7)};
+      }
+
+      static constexpr const char *memory = "energy balance: energy at start, works, last rates";
+
+      CsvFile              csv_;
+      std::optional<Rates> before_;
+      double               energy_at_start_ = 0;
+      double               active_work_     = 0;
+      double               dissipated_      = 0;
+      double               external_work_   = 0;
     };
   } // namespace
 
-  std::unique_ptr<SeriesFile> reaction_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> reaction_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
   {
     std::vector<std::string> columns{"Time [s]"};
     for (const BoundaryCondition &condition : parameters.boundary)
       if (condition.type != BoundaryCondition::Type::traction)
         for (const char *axis : {" x [N]", " y [N]", " z [N]"})
           columns.push_back(condition.name + axis);
-    return make_series_file(folder / "reaction.csv", columns, [](const Muscle3dSample &sample) {
+    return make_series_file(folder, "reaction.csv", columns, [](const Muscle3dSample &sample) {
       std::vector<double> row{sample.t()};
       for (const Reaction &reaction : sample.reactions())
         row.insert(row.end(), {reaction.force[0], reaction.force[1], reaction.force[2]});
@@ -83,15 +115,12 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> energy_balance_file(const std::filesystem::path &folder)
-  {
-    return std::make_unique<EnergyBalance>(folder / "energy_balance.csv");
-  }
+  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder) { return std::make_unique<EnergyBalance>(folder); }
 
-  std::unique_ptr<SeriesFile> gearing_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
   {
     const double fibre_speed = longest_fibre(parameters) * parameters.tissue.fibre.maximum_strain_rate;
-    return make_series_file(folder / "gearing.csv", {"Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing"},
+    return make_series_file(folder, "gearing.csv", {"Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing"},
                             [fibre_speed](const Muscle3dSample &sample) {
                               const double muscle = -sample.body().mean_velocity.norm();
                               const double fibre  = fibre_speed * sample.body().mean_strain_rate;

@@ -1,8 +1,10 @@
 #include <myolines/output/csv_file.h>
 #include <myolines/output/muscle3d_files.h>
+#include <myolines/output/text_file.h>
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace myolines
 {
@@ -13,13 +15,14 @@ namespace myolines
     class FunctionFile : public SeriesFile
     {
     public:
-      FunctionFile(const std::filesystem::path &file, const std::vector<std::string> &columns,
+      FunctionFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns,
                    std::function<std::vector<double>(const Muscle3dSample &)> values)
-        : csv_(file, columns)
+        : csv_(folder, name, columns)
         , values_(std::move(values))
       {}
 
       void row(const Muscle3dSample &sample, std::size_t) override { csv_.row(values_(sample)); }
+      void save(Archive &archive) const override { csv_.save(archive); }
 
     private:
       CsvFile                                                    csv_;
@@ -39,20 +42,23 @@ namespace myolines
     class AllFacesFiles : public SeriesFile
     {
     public:
-      explicit AllFacesFiles(std::filesystem::path folder)
-        : folder_(std::move(folder))
+      explicit AllFacesFiles(const OutputFolder &folder)
+        : folder_(folder.path)
         , columns_{"Boundary ID"}
       {
         for (const std::string &part : part_names)
           for (const char *axis : {" x [N]", " y [N]", " z [N]"})
             columns_.push_back(part + axis);
+        if (folder.saved != nullptr && folder.saved->has_numbers(memory))
+          {
+            steps_ = folder.saved->numbers(memory);
+            remove_later_files();
+          }
       }
 
       void row(const Muscle3dSample &sample, const std::size_t step) override
       {
-        std::string number = std::to_string(step);
-        number.insert(0, number.size() < 3 ? 3 - number.size() : 0, '0');
-        CsvFile csv(folder_ / ("force_data-3d-" + number + ".csv"), columns_);
+        CsvFile csv(folder_, file_name(step), columns_);
         for (unsigned int face = 0; face < 6; ++face)
           {
             std::vector<double> values{static_cast<double>(face)};
@@ -60,27 +66,52 @@ namespace myolines
               values.insert(values.end(), {force[0], force[1], force[2]});
             csv.row(values);
           }
+        steps_.push_back(static_cast<double>(step));
       }
 
+      void save(Archive &archive) const override { archive.put_numbers(memory, steps_); }
+
     private:
+      static std::string file_name(const std::size_t step)
+      {
+        std::string number = std::to_string(step);
+        number.insert(0, number.size() < 3 ? 3 - number.size() : 0, '0');
+        return "force_data-3d-" + number + ".csv";
+      }
+
+      /// Those that were written after what a resumed run goes on from.
+      void remove_later_files() const
+      {
+        std::set<std::string> known;
+        for (const double step : steps_)
+          known.insert(file_name(static_cast<std::size_t>(step)));
+        if (writes_files())
+          for (const auto &entry : std::filesystem::directory_iterator(folder_))
+            if (const std::string name = entry.path().filename().string(); name.rfind("force_data-3d-", 0) == 0 && known.count(name) == 0)
+              std::filesystem::remove(entry.path());
+      }
+
+      static constexpr const char *memory = "steps with force_data-3d-NNN.csv";
+
       std::filesystem::path    folder_;
       std::vector<std::string> columns_;
+      std::vector<double>      steps_;
     };
   } // namespace
 
-  std::unique_ptr<SeriesFile> make_series_file(const std::filesystem::path &file, const std::vector<std::string> &columns,
+  std::unique_ptr<SeriesFile> make_series_file(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns,
                                                std::function<std::vector<double>(const Muscle3dSample &)> values)
   {
-    return std::make_unique<FunctionFile>(file, columns, std::move(values));
+    return std::make_unique<FunctionFile>(folder, name, columns, std::move(values));
   }
 
-  std::unique_ptr<SeriesFile> force_file(const std::filesystem::path &folder, const unsigned int face)
+  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const unsigned int face)
   {
     std::vector<std::string> columns{"Time [s]"};
     for (const std::string &part : part_names)
       columns.push_back(part + " [N]");
     columns.push_back("Volume [m^3]");
-    return make_series_file(folder / "force_data-3d.csv", columns, [face](const Muscle3dSample &sample) {
+    return make_series_file(folder, "force_data-3d.csv", columns, [face](const Muscle3dSample &sample) {
       std::vector<double> row{sample.t()};
       for (const dealii::Tensor<1, 3> &force : in_peer_order(sample.face_force(face)))
         row.push_back(force[0]);
@@ -89,14 +120,14 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> all_faces_files(const std::filesystem::path &folder) { return std::make_unique<AllFacesFiles>(folder); }
+  std::unique_ptr<SeriesFile> all_faces_files(const OutputFolder &folder) { return std::make_unique<AllFacesFiles>(folder); }
 
-  std::unique_ptr<SeriesFile> energy_file(const std::filesystem::path &folder)
+  std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder)
   {
     const std::vector<std::string> columns{"Time [s]",          "Kinetic [J/m^3]",       "Internal [J/m^3]",       "Volumetric [J/m^3]",
                                            "Isochoric [J/m^3]", "Muscle active [J/m^3]", "Muscle passive [J/m^3]", "Muscle base [J/m^3]",
                                            "Volume [m^3]"};
-    return make_series_file(folder / "energy_data-3d.csv", columns, [](const Muscle3dSample &sample) {
+    return make_series_file(folder, "energy_data-3d.csv", columns, [](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
       std::vector<double> row{sample.t(), body.kinetic / body.volume};
       for (const double density : in_peer_order(body.work_density))
@@ -106,16 +137,16 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> stretch_file(const std::filesystem::path &folder)
+  std::unique_ptr<SeriesFile> stretch_file(const OutputFolder &folder)
   {
-    return make_series_file(folder / "mean_stretch_pennation_data-3d.csv",
+    return make_series_file(folder, "mean_stretch_pennation_data-3d.csv",
                             {"Time [s]", "Mean stretch", "Mean pennation [deg]", "Volume slab [m^3]"}, [](const Muscle3dSample &sample) {
                               const BodyMeasures &body = sample.body();
                               return std::vector<double>{sample.t(), body.mean_stretch, body.mean_pennation, body.slab_volume};
                             });
   }
 
-  std::unique_ptr<SeriesFile> gearing_info_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
   {
     const std::vector<std::string> columns{"Time [s]",
                                            "Prescribed velocity x [m/s]",
@@ -130,7 +161,7 @@ namespace myolines
                                            "Volume slab [m^3]"};
     const double                   fibre = longest_fibre(parameters);
     const double                   e0    = parameters.tissue.fibre.maximum_strain_rate;
-    return make_series_file(folder / "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
+    return make_series_file(folder, "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
       const auto         &v    = body.mean_velocity;
       return std::vector<double>{sample.t(),      sample.force_face_speed(), v[0],  v[1], v[2],
@@ -139,21 +170,21 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> activation_file(const std::filesystem::path &folder)
+  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder)
   {
-    return make_series_file(folder / "activation_muscle_length-3d.csv", {"Time [s]", "Activation (%)", "Muscle length [m]"},
+    return make_series_file(folder, "activation_muscle_length-3d.csv", {"Time [s]", "Activation (%)", "Muscle length [m]"},
                             [](const Muscle3dSample &sample) {
                               return std::vector<double>{sample.t(), 100 * sample.activation(), sample.muscle_length()};
                             });
   }
 
-  std::unique_ptr<SeriesFile> displacements_file(const std::filesystem::path &folder, std::shared_ptr<const MarkerProbe> probe)
+  std::unique_ptr<SeriesFile> displacements_file(const OutputFolder &folder, std::shared_ptr<const MarkerProbe> probe)
   {
     std::vector<std::string> columns{"Time [s]"};
     for (const Marker &marker : probe->markers())
       for (const char *axis : {"_x [m]", "_y [m]", "_z [m]"})
         columns.push_back(marker.name + axis);
-    return make_series_file(folder / "displacements-3d.csv", columns, [probe](const Muscle3dSample &sample) {
+    return make_series_file(folder, "displacements-3d.csv", columns, [probe](const Muscle3dSample &sample) {
       std::vector<double> row{sample.t()};
       for (const dealii::Tensor<1, 3> &u : probe->displacements(sample.state()))
         row.insert(row.end(), {u[0], u[1], u[2]});

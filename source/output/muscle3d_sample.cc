@@ -24,32 +24,54 @@ namespace myolines
   {}
 
   Muscle3dSample::Muscle3dSample(const Muscle3dSystem &system, const State &state, const Side side, const SlabRule slab,
-                                 const EndPoints &ends)
+                                 const EndPoints &ends, WorkLedger &ledger)
     : system_(system)
     , state_(state)
     , side_(side)
     , slab_(slab)
     , ends_(ends)
+    , ledger_(ledger)
   {}
 
   const BodyMeasures &Muscle3dSample::body() const
   {
     if (!body_)
-      body_ = measure_body(system_, state_, slab_);
+      {
+        ledger_.count("body measurements");
+        body_ = measure_body(system_, state_, slab_);
+      }
     return *body_;
+  }
+
+  Powers Muscle3dSample::powers() const
+  {
+    if (body_)
+      return *body_;
+    if (!powers_)
+      {
+        ledger_.count("power measurements");
+        powers_ = measure_powers(system_, state_);
+      }
+    return *powers_;
   }
 
   const std::vector<Reaction> &Muscle3dSample::reactions() const
   {
     if (!reactions_)
-      reactions_ = measure_reactions(system_, state_);
+      {
+        ledger_.count("reaction measurements");
+        reactions_ = measure_reactions(system_, state_);
+      }
     return *reactions_;
   }
 
   const Parts<dealii::Tensor<1, 3>> &Muscle3dSample::face_force(const unsigned int face) const
   {
     if (!forces_.at(face))
-      forces_[face] = interior_point_force(system_, state_, face);
+      {
+        ledger_.count("face force measurements");
+        forces_[face] = interior_point_force(system_, state_, face);
+      }
     return *forces_[face];
   }
 

@@ -1,5 +1,6 @@
 #include <myolines/output/csv_file.h>
 #include <myolines/output/outputs.h>
+#include <myolines/output/periodic_output.h>
 
 namespace myolines
 {
@@ -14,26 +15,20 @@ namespace myolines
     }
 
     /// trajectory.csv. The support force is the one the support exerts: its row of the residual.
-    class Trajectory : public Observer
+    class Trajectory : public PeriodicOutput
     {
     public:
-      Trajectory(const OscillatorSystem &system, const unsigned int every, const std::filesystem::path &folder)
-        : system_(system)
-        , every_(every)
+      Trajectory(const OscillatorSystem &system, const unsigned int every, const OutputFolder &folder)
+        : PeriodicOutput(every)
+        , system_(system)
         , with_support_(system.parameters().support != nullptr)
-        , csv_(folder / "trajectory.csv", columns(with_support_))
+        , csv_(folder, "trajectory.csv", columns(with_support_))
       {}
 
-      void begin(const State &state) override { write(state, Side::right); }
-
-      void accepted(const State &state, const StepRecord &record) override
-      {
-        if (record.number % every_ == 0)
-          write(state, Side::left);
-      }
+      void save(Archive &archive) const override { csv_.save(archive); }
 
     private:
-      void write(const State &state, const Side side)
+      void write(const State &state, const Side side, std::size_t) override
       {
         std::vector<double> row{state.t, state.u[0], state.v[0], state.a[0]};
         if (with_support_)
@@ -46,7 +41,6 @@ namespace myolines
       }
 
       const OscillatorSystem &system_;
-      unsigned int            every_;
       bool                    with_support_;
       CsvFile                 csv_;
     };
@@ -55,12 +49,12 @@ namespace myolines
   scene::Schema oscillator_output_schema()
   {
     scene::Schema series("Time series: trajectory.csv.");
-    series.integer("every", 1, scene::Range::closed(1, 1e9), "A row at the start and after every so many accepted steps.");
+    series.integer("every", 1, scene::Range::closed(1, 1e9), "A row at the start, after every so many accepted steps, and at the end.");
     return scene::Schema("What to write.").section("series", series);
   }
 
-  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system,
-                                                      const std::filesystem::path &folder, WorkLedger &)
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system, const OutputFolder &folder,
+                                                      WorkLedger &)
   {
     std::vector<std::unique_ptr<Observer>> observers;
     observers.push_back(std::make_unique<Trajectory>(system, output.section("series").integer("every"), folder));

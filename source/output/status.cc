@@ -50,7 +50,7 @@ namespace myolines
     return text.str();
   }
 
-  Status::Status(const std::filesystem::path &log, const double start, const double end, std::ostream *terminal)
+  Status::Status(const OutputFolder &folder, const double start, const double end, std::ostream *terminal)
     : start_(start)
     , end_(end)
     , terminal_(writes_files() ? terminal : nullptr)
@@ -58,15 +58,23 @@ namespace myolines
   {
     if (!writes_files())
       return;
-    log_.open(log);
+    const std::filesystem::path file = folder.path / "run.log";
+    log_.open(file, folder.saved == nullptr ? std::ios::trunc : std::ios::app);
     if (!log_)
-      throw std::runtime_error("cannot write " + log.string());
+      throw std::runtime_error("cannot write " + file.string());
   }
 
   void Status::begin(const State &state)
   {
+    from_  = state.t;
     begin_ = std::chrono::steady_clock::now();
     log(iso8601_now() + "  from t " + exact_text(state.t) + " s to " + exact_text(end_) + " s");
+  }
+
+  void Status::resume(const State &state, const std::size_t step)
+  {
+    begin(state);
+    log("resumed after step " + std::to_string(step));
   }
 
   void Status::accepted(const State &, const StepRecord &record)
@@ -102,8 +110,8 @@ namespace myolines
     const double       fraction = (record.t - start_) / (end_ - start_);
     std::ostringstream line;
     line << static_cast<int>(std::floor(100 * fraction + 1e-9)) << " %  " << step_text(record);
-    if (record.t > start_ && record.t < end_)
-      line << "  remaining " << duration_text(elapsed() * (1 - fraction) / fraction);
+    if (record.t > from_ && record.t < end_)
+      line << "  remaining " << duration_text(elapsed() * (end_ - record.t) / (record.t - from_));
     std::string text = line.str();
     // Blanks wipe what a longer line before this one left behind.
     const std::size_t width = text.size();
@@ -112,9 +120,9 @@ namespace myolines
     *terminal_ << '\r' << text << std::flush;
   }
 
-  std::unique_ptr<Observer> make_status(const std::filesystem::path &folder, const double start, const double end, const bool quiet)
+  std::unique_ptr<Observer> make_status(const OutputFolder &folder, const double start, const double end, const bool quiet)
   {
     const bool show = !quiet && isatty(STDOUT_FILENO);
-    return std::make_unique<Status>(folder / "run.log", start, end, show ? &std::cout : nullptr);
+    return std::make_unique<Status>(folder, start, end, show ? &std::cout : nullptr);
   }
 } // namespace myolines

@@ -10,13 +10,15 @@ namespace myolines
     class StepsFile : public Observer
     {
     public:
-      explicit StepsFile(const std::filesystem::path &file)
-        : csv_(file, {"Step", "Time [s]", "dt [s]", "Outcome", "Newton iterations", "Linear iterations", "Residual evaluations",
-                      "Initial residual", "Final residual", "Error estimate", "Reason"})
+      explicit StepsFile(const OutputFolder &folder)
+        : csv_(folder, "steps.csv",
+               {"Step", "Time [s]", "dt [s]", "Outcome", "Newton iterations", "Linear iterations", "Residual evaluations",
+                "Initial residual", "Final residual", "Error estimate", "Reason"})
       {}
 
       void accepted(const State &, const StepRecord &record) override { write(record); }
       void rejected(const StepRecord &record) override { write(record); }
+      void save(Archive &archive) const override { csv_.save(archive); }
 
     private:
       void write(const StepRecord &record)
@@ -33,8 +35,5 @@ namespace myolines
     };
   } // namespace
 
-  std::unique_ptr<Observer> make_steps_file(const std::filesystem::path &folder)
-  {
-    return std::make_unique<StepsFile>(folder / "steps.csv");
-  }
+  std::unique_ptr<Observer> make_steps_file(const OutputFolder &folder) { return std::make_unique<StepsFile>(folder); }
 } // namespace myolines

@@ -1,9 +1,15 @@
+#include <myolines/base/error.h>
 #include <myolines/output/text_file.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <ctime>
 #include <fstream>
 #include <stdexcept>
@@ -25,6 +31,33 @@ namespace myolines
         throw std::runtime_error("cannot write " + fresh.string());
     }
     std::filesystem::rename(fresh, file);
+  }
+
+  void sync_to_disk(const std::filesystem::path &file)
+  {
+    const int  descriptor = open(file.c_str(), O_RDONLY);
+    const bool synced     = descriptor >= 0 && fsync(descriptor) == 0;
+    if (descriptor >= 0)
+      close(descriptor);
+    if (!synced)
+      throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(errno));
+  }
+
+  void on_writing_rank(const std::string &where, const std::string &expected, const std::string &hint, const std::function<void()> &action)
+  {
+    std::string problem;
+    if (writes_files())
+      try
+        {
+          action();
+        }
+      catch (const std::exception &error)
+        {
+          problem = error.what();
+        }
+    problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
+    if (!problem.empty())
+      throw InputError(InputProblem{where, problem, expected, hint});
   }
 
   std::string exact_text(const double value)

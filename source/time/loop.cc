@@ -22,25 +22,57 @@ namespace myolines
     {
     public:
       Loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
-           const std::vector<Observer *> &observers, WorkLedger &ledger)
+           const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper)
         : integrator_(integrator)
         , control_(control)
         , settings_(settings)
         , state_(state)
         , observers_(observers)
         , ledger_(ledger)
+        , keeper_(keeper)
         , number_(settings.steps_done)
       {
         if (settings.events != Events::ignore)
           events_ = system.events(settings.start, settings.end);
       }
 
+      /// Tells keeper and observers how it ends; the errors thrown are those that all ranks agree on, or others.
       void run()
       {
+        try
+          {
+            advance();
+          }
+        catch (const SolveError &error)
+          {
+            close(error.what());
+            throw;
+          }
+        catch (const Interrupted &error)
+          {
+            close(error.what());
+            throw;
+          }
+        catch (const std::exception &error)
+          {
+            tell_end(error.what());
+            throw;
+          }
+        close("");
+      }
+
+    private:
+      void advance()
+      {
         if (state_.t == settings_.start)
-          integrator_.start(state_);
-        for (Observer *observer : observers_)
-          observer->begin(state_);
+          {
+            integrator_.start(state_);
+            for (Observer *observer : observers_)
+              observer->begin(state_);
+          }
+        else
+          for (Observer *observer : observers_)
+            observer->resume(state_, number_);
         while (state_.t < settings_.end)
           {
             if (settings_.events == Events::restart && at_event())
@@ -52,7 +84,21 @@ namespace myolines
           }
       }
 
-    private:
+      void close(const std::string &reason)
+      {
+        if (keeper_ != nullptr)
+          keeper_->ended(state_, number_);
+        for (Observer *observer : observers_)
+          observer->last(state_);
+        tell_end(reason);
+      }
+
+      void tell_end(const std::string &reason)
+      {
+        for (Observer *observer : observers_)
+          observer->end(reason);
+      }
+
       bool at_event() const { return std::binary_search(events_.begin(), events_.end(), state_.t); }
 
       /// The earliest of what must be landed on; of times that agree up to a sliver the one known best wins:
@@ -105,6 +151,9 @@ namespace myolines
         control_.accepted(record.t, record.dt, record.report);
         for (Observer *observer : observers_)
           observer->accepted(state_, record);
+        if (keeper_ != nullptr && state_.t < settings_.end)
+          if (const std::optional<std::string> reason = keeper_->accepted(state_, number_))
+            throw Interrupted(*reason);
       }
 
       void reject(StepRecord &record)
@@ -128,6 +177,7 @@ namespace myolines
       State                         &state_;
       const std::vector<Observer *> &observers_;
       WorkLedger                    &ledger_;
+      Keeper                        *keeper_;
       std::vector<double>            events_;
       std::size_t                    number_;
     };
@@ -144,19 +194,8 @@ namespace myolines
   }
 
   void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
-                const std::vector<Observer *> &observers, WorkLedger &ledger)
+                const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper)
   {
-    try
-      {
-        Loop(system, integrator, control, settings, state, observers, ledger).run();
-      }
-    catch (const std::exception &error)
-      {
-        for (Observer *observer : observers)
-          observer->end(error.what());
-        throw;
-      }
-    for (Observer *observer : observers)
-      observer->end("");
+    Loop(system, integrator, control, settings, state, observers, ledger, keeper).run();
   }
 } // namespace myolines

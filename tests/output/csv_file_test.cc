@@ -1,3 +1,4 @@
+#include <myolines/base/error.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/text_file.h>
 
@@ -12,7 +13,7 @@ using namespace myolines;
 TEST(CsvFile, NumbersReadBackExactly)
 {
   test::Folder                           folder;
-  CsvFile                                csv(folder.path / "a.csv", {"value"});
+  CsvFile                                csv(folder.path, "a.csv", {"value"});
   std::mt19937                           random(7);
   std::uniform_real_distribution<double> mantissa(-1, 1);
   std::uniform_int_distribution<int>     exponent(-300, 300);
@@ -32,7 +33,7 @@ TEST(CsvFile, NumbersReadBackExactly)
 TEST(CsvFile, EveryRowIsOnDiskAtOnce)
 {
   test::Folder folder;
-  CsvFile      csv(folder.path / "a.csv", {"Time [s]", "Force [N]"});
+  CsvFile      csv(folder.path, "a.csv", {"Time [s]", "Force [N]"});
   EXPECT_EQ(folder.text("a.csv"), "Time [s],Force [N]\n");
   csv.row(std::vector<double>{0.025, -1.5});
   EXPECT_EQ(folder.text("a.csv"), "Time [s],Force [N]\n0.025,-1.5\n");
@@ -41,7 +42,7 @@ TEST(CsvFile, EveryRowIsOnDiskAtOnce)
 TEST(CsvFile, QuotesWhatWouldBreakATable)
 {
   test::Folder folder;
-  CsvFile      csv(folder.path / "a.csv", {"n", "reason"});
+  CsvFile      csv(folder.path, "a.csv", {"n", "reason"});
   csv.row(std::vector<std::string>{"1", "det F <= 0, \"cell\" 3"});
   EXPECT_EQ(folder.lines("a.csv")[1], "1,\"det F <= 0, \"\"cell\"\" 3\"");
 }
@@ -49,7 +50,7 @@ TEST(CsvFile, QuotesWhatWouldBreakATable)
 TEST(CsvFile, RefusesARowOfAnotherWidth)
 {
   test::Folder folder;
-  CsvFile      csv(folder.path / "a.csv", {"a", "b"});
+  CsvFile      csv(folder.path, "a.csv", {"a", "b"});
   EXPECT_THROW(csv.row(std::vector<double>{1}), std::logic_error);
 }
 
@@ -58,13 +59,50 @@ TEST(CsvFile, SaysWhichFileCannotBeWritten)
   test::Folder folder;
   try
     {
-      CsvFile csv(folder.path / "missing" / "a.csv", {"a"});
+      CsvFile csv(folder.path / "missing", "a.csv", {"a"});
       FAIL() << "a file in a missing folder was opened";
     }
   catch (const std::runtime_error &error)
     {
       EXPECT_NE(std::string(error.what()).find("a.csv"), std::string::npos);
     }
+}
+
+namespace
+{
+  Archive with_two_rows(const test::Folder &folder)
+  {
+    Archive saved;
+    CsvFile csv(folder.path, "a.csv", {"Time [s]", "Force [N]"});
+    csv.row(std::vector<double>{0, 1});
+    csv.row(std::vector<double>{1, 2});
+    csv.save(saved);
+    csv.row(std::vector<double>{2, 3}); // after it was saved: lost to whoever resumes
+    return saved;
+  }
+} // namespace
+
+TEST(CsvFile, AResumedRunGoesOnWhereItWasSaved)
+{
+  test::Folder  folder;
+  const Archive saved = with_two_rows(folder);
+  CsvFile       csv(OutputFolder(folder.path, &saved), "a.csv", {"Time [s]", "Force [N]"});
+  csv.row(std::vector<double>{2, 30});
+  EXPECT_EQ(folder.text("a.csv"), "Time [s],Force [N]\n0,1\n1,2\n2,30\n");
+  CsvFile fresh(OutputFolder(folder.path, &saved), "b.csv", {"Time [s]"});
+  EXPECT_EQ(folder.text("b.csv"), "Time [s]\n") << "a file that was not saved begins anew";
+}
+
+TEST(CsvFile, AResumedRunRefusesAFileThatIsNotAsItWas)
+{
+  test::Folder  folder;
+  const Archive saved = with_two_rows(folder);
+  const auto    again = [&](const std::vector<std::string> &columns) { CsvFile(OutputFolder(folder.path, &saved), "a.csv", columns); };
+  EXPECT_THROW(again({"Time [s]", "Force [kN]"}), InputError);
+  std::filesystem::resize_file(folder.path / "a.csv", 25);
+  EXPECT_THROW(again({"Time [s]", "Force [N]"}), InputError);
+  std::filesystem::remove(folder.path / "a.csv");
+  EXPECT_THROW(again({"Time [s]", "Force [N]"}), InputError);
 }
 
 TEST(TextFile, ReplacesAndLeavesNothingBehind)

@@ -13,7 +13,7 @@ TEST(Manifest, NamesWhatMadeTheRun)
 {
   test::Folder      folder;
   const std::string started = iso8601_now();
-  write_manifest(folder.path, "myolines run \"a scene.xml\"", started, "done");
+  write_manifest(folder.path, "myolines run \"a scene.xml\"", started, "", "done");
 
   const nlohmann::json manifest = nlohmann::json::parse(folder.text("manifest.json"));
   EXPECT_EQ(manifest.at("program"), "myolines");

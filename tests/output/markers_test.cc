@@ -92,16 +92,16 @@ TEST(Markers, RefusesTwoSources)
 TEST(FieldNames, SeparatedByCommas)
 {
   const std::vector<std::string> known{"displacement", "fibre stretch", "pressure"};
-  EXPECT_EQ(read_field_names(field_scene("fibre stretch , displacement"), known),
+  EXPECT_EQ(read_names(field_scene("fibre stretch , displacement"), known, "field"),
             (std::vector<std::string>{"fibre stretch", "displacement"}));
-  EXPECT_EQ(read_field_names(field_scene("pressure,pressure"), known), (std::vector<std::string>{"pressure"}));
+  EXPECT_EQ(read_names(field_scene("pressure,pressure"), known, "field"), (std::vector<std::string>{"pressure"}));
 }
 
 TEST(FieldNames, UnknownNameGetsTheNearest)
 {
   try
     {
-      read_field_names(field_scene("displacement, presure"), {"displacement", "pressure"});
+      read_names(field_scene("displacement, presure"), {"displacement", "pressure"}, "field");
       FAIL() << "an unknown field was accepted";
     }
   catch (const InputError &error)

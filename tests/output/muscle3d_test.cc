@@ -3,11 +3,13 @@
 #include <myolines/base/error.h>
 #include <myolines/fem/node_space.h>
 #include <myolines/muscle3d/discretisation.h>
+#include <myolines/muscle3d/measurements.h>
 #include <myolines/output/outputs.h>
 
 #include "folder.h"
 
 #include <cmath>
+#include <map>
 
 using namespace myolines;
 
@@ -227,6 +229,114 @@ TEST(MuscleOutputs, MeasuresOnceAndOnlyWhatIsAskedFor)
   EXPECT_EQ(ledger.counted("residual evaluations"), 1u);
   EXPECT_EQ(ledger.counted("field outputs"), 0u);
   EXPECT_FALSE(is_there(folder, "fields.pvd"));
+}
+
+TEST(MuscleOutputs, RareRowsCostOnlyWhenWritten)
+{
+  Muscle3dParameters p = block();
+  p.boundary           = {fixed("fixed end", 0)};
+  test::Folder         folder;
+  WorkLedger           ledger;
+  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
+  const auto           run = [&](const std::string &series) {
+    const std::map<std::string, std::uint64_t> before = ledger.counts();
+    const auto observers = make_outputs(output_scene(setting("every", "int", "3") + series), system, folder.path, ledger);
+    observers[0]->begin(homogeneous(system, 0, {}, {}));
+    for (std::size_t i = 1; i <= 5; ++i)
+      observers[0]->accepted(homogeneous(system, 0.1 * i, {0.01 * i, 0, 0}, {0.1, 0, 0}), step(i));
+    observers[0]->last(homogeneous(system, 0.5, {0.05, 0, 0}, {0.1, 0, 0}));
+    std::map<std::string, std::uint64_t> counts;
+    for (const auto &[what, times] : ledger.counts())
+      counts[what] = times - (before.count(what) ? before.at(what) : 0);
+    return counts;
+  };
+
+  // Rows at steps 0, 3 and 5, the last one; between them nothing is measured ...
+  const auto without = run(setting("energy balance", "bool", "false"));
+  EXPECT_EQ(test::numbers(folder.lines("reaction.csv").back())[0], 0.5);
+  EXPECT_EQ(folder.lines("reaction.csv").size(), 4u);
+  EXPECT_EQ(without.at("body measurements"), 3u);
+  EXPECT_EQ(without.at("reaction measurements"), 3u);
+  EXPECT_EQ(without.at("residual evaluations"), 3u);
+  EXPECT_EQ(without.at("face force measurements"), 3u);
+  EXPECT_EQ(without.count("power measurements"), 0u);
+  // ... but powers and reactions, if the energy balance integrates them: steps 1, 2, 4, and 5 before it proves the last.
+  auto with = run("");
+  EXPECT_EQ(with["body measurements"], 3u);
+  EXPECT_EQ(with["reaction measurements"], 7u);
+  EXPECT_EQ(with["face force measurements"], 3u);
+  EXPECT_EQ(with["power measurements"], 4u);
+}
+
+TEST(MuscleOutputs, PowersAloneAreThoseOfAllMeasures)
+{
+  Muscle3dParameters p = block();
+  p.body_force         = std::array<std::string, 3>{{"3000", "0", "-1000"}};
+  WorkLedger           ledger;
+  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
+  const State          state  = homogeneous(system, 0.1, {0.1, -0.03, -0.02}, {-2, 0.5, 0.25});
+  const BodyMeasures   body   = measure_body(system, state, SlabRule::quadrature_points);
+  const Powers         powers = measure_powers(system, state);
+  EXPECT_NE(powers.active_power, 0);
+  EXPECT_DOUBLE_EQ(powers.active_power, body.active_power);
+  EXPECT_DOUBLE_EQ(powers.dissipation, body.dissipation);
+  EXPECT_DOUBLE_EQ(powers.body_force_power, body.body_force_power);
+  EXPECT_NE(powers.body_force_power, 0);
+}
+
+TEST(MuscleOutputs, AResumedRunLeavesTheSameFiles)
+{
+  Muscle3dParameters p = block();
+  p.boundary           = {fixed("fixed end", 0)};
+  WorkLedger           ledger;
+  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
+  const auto           at    = [&](const std::size_t i) { return homogeneous(system, 0.1 * i, {0.01 * i, 0, 0}, {0.1 + 0.02 * i, 0, 0}); };
+  const scene::Node    scene = output_scene(setting("every", "int", "3") + setting("all faces", "bool", "true"),
+                                            "<ParameterList name=\"fields\">" + setting("every", "int", "2") + "</ParameterList>");
+  using Outputs              = std::vector<std::unique_ptr<Observer>>;
+  const auto steps           = [&](const Outputs &outputs, const std::size_t first, const std::size_t end) {
+    for (std::size_t i = first; i < end; ++i)
+      for (const auto &output : outputs)
+        output->accepted(at(i), step(i));
+  };
+  const auto last = [&](const Outputs &outputs, const std::size_t i) {
+    for (const auto &output : outputs)
+      output->last(at(i));
+  };
+
+  test::Folder  whole, part;
+  const Outputs of_whole = make_outputs(scene, system, whole.path, ledger);
+  Archive       saved;
+  {
+    const Outputs outputs = make_outputs(scene, system, part.path, ledger);
+    for (const Outputs *both : {&of_whole, &outputs})
+      for (const auto &output : *both)
+        output->begin(at(0));
+    steps(of_whole, 1, 9);
+    last(of_whole, 8);
+    steps(outputs, 1, 5);
+    for (const auto &output : outputs)
+      output->save(saved);
+    last(outputs, 4); // a row that the resumed run takes back
+    EXPECT_TRUE(is_there(part, "force_data-3d-004.csv"));
+  }
+  const Outputs resumed = make_outputs(scene, system, OutputFolder(part.path, &saved), ledger);
+  for (const auto &output : resumed)
+    output->resume(at(4), 4);
+  steps(resumed, 5, 9);
+  last(resumed, 8);
+
+  EXPECT_FALSE(is_there(part, "force_data-3d-004.csv"));
+  std::size_t files = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(whole.path))
+    {
+      const std::string name = entry.path().filename().string();
+      ASSERT_TRUE(is_there(part, name)) << name;
+      if (entry.path().extension() != ".vtu") // they tell the time of day
+        EXPECT_EQ(whole.text(name), part.text(name)) << name;
+      --files;
+    }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(part.path), {}), -static_cast<std::ptrdiff_t>(files));
 }
 
 TEST(MuscleOutputs, FieldsAndTheirCollection)

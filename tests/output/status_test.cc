@@ -59,7 +59,7 @@ TEST(Status, TerminalShowsProgressOnOneLine)
 {
   test::Folder       folder;
   std::ostringstream terminal;
-  Status             status(folder.path / "run.log", 1, 3, &terminal);
+  Status             status(folder.path, 1, 3, &terminal);
   status.begin(State());
   status.accepted(State(), record(1, 1.5, 0.5));
   status.accepted(State(), record(2, 3, 1.5));
@@ -79,7 +79,7 @@ TEST(Status, TerminalShowsProgressOnOneLine)
 TEST(Status, NothingOnATerminalThatIsNotThere)
 {
   test::Folder folder;
-  Status       status(folder.path / "run.log", 0, 1, nullptr);
+  Status       status(folder.path, 0, 1, nullptr);
   status.begin(State());
   status.accepted(State(), record(1, 1, 1));
   status.end("");

@@ -41,5 +41,18 @@ TEST(Archive, laterValuesReplaceEarlierOnes)
   archive.put("cuts", 1);
   archive.put("cuts", 2);
   EXPECT_EQ(archive.number("cuts"), 2);
-  EXPECT_EQ(archive.entries().size(), 1u);
+  EXPECT_EQ(archive.all_numbers().size(), 1u);
+}
+
+TEST(Archive, tellsNumbersFromVectors)
+{
+  // A vector of one entry is no number: the ranks share the former, and all have the latter.
+  Archive archive;
+  archive.put("x", serial_vector(1));
+  archive.put_numbers("times", {0, 0.5});
+  EXPECT_FALSE(archive.has_numbers("x"));
+  EXPECT_THROW(archive.number("x"), std::out_of_range);
+  EXPECT_TRUE(archive.has_numbers("times"));
+  EXPECT_EQ(archive.numbers("times"), (std::vector<double>{0, 0.5}));
+  EXPECT_EQ(archive.all_vectors().size(), 1u);
 }

@@ -35,12 +35,19 @@ namespace myolines
     using std::runtime_error::runtime_error;
   };
 
+  /// A run that was asked to stop before its end: the program ends as after a failed solve, the state being saved.
+  class Interrupted : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+  };
+
   /// Exit codes of the program.
   enum class ExitCode
   {
     done           = 0,
     internal_error = 1,
     invalid_input  = 2,
-    solve_failed   = 3
+    solve_failed   = 3 ///< also a run that was stopped by a signal
   };
 } // namespace myolines

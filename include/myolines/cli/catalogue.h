@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/semi_discrete_system.h>
@@ -19,10 +20,18 @@ namespace myolines
     std::unique_ptr<SemiDiscreteSystem> system;
 
     /// Observers for the list `output`; they refer to the system.
-    std::function<std::vector<std::unique_ptr<Observer>>(const scene::Node &output, const std::filesystem::path &folder)> make_outputs;
+    std::function<std::vector<std::unique_ptr<Observer>>(const scene::Node &output, const OutputFolder &folder)> make_outputs;
 
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
+  };
+
+  /// How large a system will be, known before it is made.
+  struct SizeEstimate
+  {
+    double n_unknowns   = 0; ///< on all ranks
+    double bytes        = 0; ///< on each rank: system, assembled tangent, vectors of a run
+    double matrix_bytes = 0; ///< on each rank: the assembled tangent alone
   };
 
   /// What a kind of system brings to scenes, help and templates.
@@ -33,7 +42,8 @@ namespace myolines
     scene::Schema               output;          ///< of the list `output`
     std::vector<scene::Setting> example;         ///< a small scene, without the integrator
     std::vector<scene::Setting> without_inertia; ///< turns the example quasi-static; empty if it cannot be
-    std::function<AssembledSystem(const scene::Node &, WorkLedger &)> make;
+    std::function<AssembledSystem(const scene::Node &, WorkLedger &)>    make;
+    std::function<SizeEstimate(const scene::Node &, unsigned int ranks)> size;
   };
 
   /// All systems, in the order of `myolines list systems`. A new system is one more entry here.
@@ -42,7 +52,7 @@ namespace myolines
   /// @throws InputError with the nearest valid name; @p where is the place of the name.
   const SystemEntry &system_entry(const std::string &name, const std::string &where);
 
-  /// The whole scene with the outputs of @p system.
+  /// The whole scene with the outputs of @p system, and its checkpoints.
   scene::Schema root_schema(const SystemEntry &system);
 
   /// Reads and validates @p file. The outputs that a scene may ask for depend on its system/type, which is looked at first.

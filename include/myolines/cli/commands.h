@@ -8,15 +8,16 @@
 namespace myolines
 {
   // The commands of the program, one function each. They print to @p out (rank 0 only has a real one) and throw
-  // InputError and SolveError.
+  // InputError, SolveError and Interrupted.
 
   struct RunOptions
   {
     std::filesystem::path    scene;
     std::filesystem::path    folder; ///< empty: results/<name of the scene without extension>
     std::vector<std::string> overrides;
-    bool                     quiet = false;
-    std::string              command_line; ///< for the manifest
+    bool                     quiet  = false;
+    bool                     resume = false; ///< go on from the checkpoint in the folder
+    std::string              command_line;   ///< for the manifest
   };
   void run_command(const RunOptions &options, std::ostream &out);
 

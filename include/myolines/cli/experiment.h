@@ -1,10 +1,14 @@
 #pragma once
 
 #include <myolines/cli/catalogue.h>
+#include <myolines/output/checkpoint.h>
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/time/step_control.h>
 
+#include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace myolines
 {
@@ -20,8 +24,11 @@ namespace myolines
     const LoopSettings    &settings() const { return settings_; }
     WorkLedger            &ledger() { return ledger_; }
 
-    /// Advances from the initial state to the end.
-    void run(const std::vector<Observer *> &observers);
+    /// Goes on from @p checkpoint, of this scene, instead of the initial state.
+    void resume(const Checkpoint &checkpoint);
+
+    /// Advances to the end; keeps the run in @p folder. A signal for which @p stop_signal returns a number ends it (Interrupted).
+    void run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop_signal);
 
     /// Sizes of the steps as planned [s], with landings on events, if every step succeeds.
     std::vector<double> planned_steps() const;
@@ -38,5 +45,6 @@ namespace myolines
     NonlinearSolver              nonlinear_;
     std::unique_ptr<Integrator>  integrator_;
     std::unique_ptr<StepControl> control_;
+    std::optional<State>         resumed_;
   };
 } // namespace myolines

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,21 +31,28 @@ namespace myolines
     whole_cells        ///< by cell centre with an exact comparison, as the peer
   };
 
+  /// Rates of work at one state [W].
+  struct Powers
+  {
+    double active_power =
+        0; ///< what the active stress would do isometrically, - int sigma0 a sA lam-dot/lam, positive while fibres shorten
+    double dissipation      = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0
+    double body_force_power = 0;
+    double traction_power   = 0;
+  };
+  /// Walks over the body only if it is active.
+  Powers measure_powers(const Muscle3dSystem &system, const State &state);
+
   /// Integrals over the body at one state. Energies of the true balance are in joules; work-like densities (6.2.3)-(6.2.11) are in J/m^3 of
   /// current volume.
-  struct BodyMeasures
+  struct BodyMeasures : Powers
   {
-    double volume            = 0; ///< current [m^3]
-    double kinetic           = 0; ///< [J]
-    double stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
-    double stored_base       = 0; ///< int Yeoh energy [J]
-    double stored_passive    = 0; ///< int sigma0 int sP/lam dlam [J]
-    double active_power =
-        0; ///< work rate the active stress would do isometrically, - int sigma0 a sA lam-dot/lam [W], positive while fibres shorten
-    double        dissipation      = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0 [W]
-    double        body_force_power = 0; ///< [W]
-    double        traction_power   = 0; ///< [W]
-    Parts<double> work_density;         ///< (6.2.3)-(6.2.11) [J/m^3]
+    double        volume            = 0; ///< current [m^3]
+    double        kinetic           = 0; ///< [J]
+    double        stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
+    double        stored_base       = 0; ///< int Yeoh energy [J]
+    double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam [J]
+    Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
     double               slab_volume      = 0; ///< current [m^3]
     double               mean_stretch     = 0; ///< (6.2.22), |F a0|
@@ -94,9 +103,40 @@ namespace myolines
   /// Point and cell fields for visualisation, see write_fields().
   const std::vector<std::string> &field_names();
 
-  /// Writes @p fields (names of field_names()) of @p state to folder/fields-NNNN.vtu (fields_NNNN.pvtu and its pieces on several ranks),
-  /// with high-order cells; returns the file name. Fields at quadrature points are projected cell-wise (L2, degree of the pressure, at
-  /// least one).
-  std::string write_fields(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
-                           const std::string &folder, unsigned int number);
+  /// Writes @p fields (names of field_names()) of @p state to folder/name.vtu (folder/name.pvtu and its pieces on several ranks), with
+  /// high-order cells; returns the file name without the folder. Fields at quadrature points are projected cell-wise (L2, degree of the
+  /// pressure, at least one). Collective, as below.
+  std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
+                               const std::string &folder, unsigned int number);
+
+  /// Points and cells that write_fields_hdf5() writes, on all ranks: every cell in degree^3 parts, with vertices of their own.
+  struct FieldSizes
+  {
+    std::uint64_t points;
+    std::uint64_t cells;
+  };
+  FieldSizes field_sizes(const Muscle3dSystem &system);
+
+  /// Writes @p fields of @p state to the HDF5 file folder/file, one table for each, and, if @p mesh is given, points ("nodes") and vertices
+  /// of the cells ("cells") to folder/mesh. The tables of a mesh fit as long as the ranks that share it are the same.
+  void write_fields_hdf5(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
+                         const std::string &folder, const std::string &file, const std::optional<std::string> &mesh);
+
+  /// A quantity at quadrature points: the name that Flexodeal gives its column, unit and meaning.
+  struct PointColumn
+  {
+    std::string name, unit, meaning;
+  };
+  const std::vector<PointColumn> &point_columns();
+
+  /// Writes @p columns (names of point_columns()) of @p state to the HDF5 file @p file, one table of doubles for each, with its unit as
+  /// attribute; attribute "Time [s]" of the file. Rows are the quadrature points of cell after cell, x fastest, cells in the order of
+  /// the forest: the same for any number of ranks. Collective. @throws std::runtime_error if the disk refuses.
+  void write_point_table(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &columns,
+                         const std::string &file);
+
+  /// True for the fields with three components.
+  bool is_vector_field(const std::string &field);
+  /// The name of @p field in files, without blanks.
+  std::string field_label(const std::string &field);
 } // namespace myolines

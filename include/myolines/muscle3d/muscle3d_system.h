@@ -37,6 +37,7 @@ namespace myolines
     std::unique_ptr<Linearisation> make_linearisation() const override;
     void                           linearise(const Point &point, Linearisation &linearisation) const override;
     std::vector<double>            events(double t0, double t1) const override;
+    std::vector<unsigned int>      canonical_order() const override;
 
     const Muscle3dParameters     &parameters() const { return parameters_; }
     const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }
@@ -50,8 +51,6 @@ namespace myolines
 
     /// Lines for `check`: terms that will be computed and terms that are skipped, each with why.
     std::vector<std::string> plan() const;
-    /// Bytes this rank will hold for the system and its assembled tangent, estimated before solving.
-    double memory_estimate() const;
 
   private:
     Muscle3dParameters                      parameters_;
@@ -59,4 +58,14 @@ namespace myolines
     std::unique_ptr<Muscle3dDiscretisation> discretisation_;
     std::unique_ptr<Loads>                  loads_;
   };
+
+  /// Sizes of a muscle, estimated from its parameters before anything is made. Numbers, as they may be beyond all integers.
+  struct Muscle3dSizes
+  {
+    double n_cells      = 0; ///< on all ranks
+    double n_unknowns   = 0; ///< on all ranks
+    double bytes        = 0; ///< on each rank: mesh, batches, assembled tangent and the vectors of a run
+    double matrix_bytes = 0; ///< on each rank: the assembled tangent alone
+  };
+  Muscle3dSizes estimate_sizes(const Muscle3dParameters &parameters, unsigned int ranks);
 } // namespace myolines

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <filesystem>
+#include <myolines/output/output_folder.h>
+
 #include <fstream>
 #include <string>
 #include <vector>
@@ -12,9 +13,11 @@ namespace myolines
   class CsvFile
   {
   public:
-    /// Starts @p file anew with the header @p columns (units in brackets: "Time [s]").
-    /// @throws std::runtime_error with the path if the disk refuses, here and below.
-    CsvFile(const std::filesystem::path &file, const std::vector<std::string> &columns);
+    /// Starts the file @p name of @p folder anew with the header @p columns (units in brackets: "Time [s]"), or goes on with
+    /// the one that a resumed run saved, less the rows written since.
+    /// @throws InputError if the file to go on with is not as it was, std::runtime_error with the path if the disk refuses, here
+    /// and below.
+    CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns);
 
     /// One number per column; numbers read back exactly. @throws std::logic_error if the count differs from the header.
     void row(const std::vector<double> &values);
@@ -22,9 +25,14 @@ namespace myolines
     /// One text per column; quoted where a comma, quote or line break asks for it (RFC 4180).
     void row(const std::vector<std::string> &texts);
 
+    /// Remembers how long the file is, and that much is on the disk itself.
+    void save(Archive &archive) const;
+
   private:
+    void go_on(std::uintmax_t bytes, const std::vector<std::string> &columns);
     void write(const std::vector<std::string> &texts);
 
+    std::string           name_;
     std::filesystem::path path_;
     std::size_t           n_columns_;
     std::ofstream         stream_;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <myolines/muscle3d/measurements.h>
+#include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
 #include <myolines/time/loop.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,13 +15,21 @@ namespace myolines
   /// Parameters of the optional list `fields`.
   scene::Schema fields_schema();
 
-  /// Writes fields-NNNN.vtu (.pvtu) and keeps fields.pvd, their list, valid at all times.
+  /// Writes fields-NNNN.vtu (.pvtu) or fields-NNNN.h5 and keeps fields.pvd or fields.xdmf, their list, valid at all times.
+  /// Ledger: "field outputs"; seconds of "output fields".
   /// @throws InputError for an unknown field.
-  std::unique_ptr<Observer> make_fields(const scene::Node &fields, const Muscle3dSystem &system, const std::filesystem::path &folder,
+  std::unique_ptr<Observer> make_fields(const scene::Node &fields, const Muscle3dSystem &system, const OutputFolder &folder,
                                         WorkLedger &ledger);
 
-  /// The names in "displacement, fibre stretch". @throws InputError for one that is not in @p known, or for none at all.
-  std::vector<std::string> read_field_names(const scene::Node &fields, const std::vector<std::string> &known);
+  /// Parameters of the optional list `quadrature`, and what writes the tables it asks for. @throws InputError for an unknown column.
+  /// Ledger: "quadrature outputs"; seconds of "output quadrature".
+  scene::Schema             point_tables_schema();
+  std::unique_ptr<Observer> make_point_tables(const scene::Node &quadrature, const Muscle3dSystem &system, const OutputFolder &folder,
+                                              WorkLedger &ledger);
+
+  /// The names in `what` = "displacement, fibre stretch" of @p list. @throws InputError for one that is not in @p known, or for none at
+  /// all; @p kind says of what ("field").
+  std::vector<std::string> read_names(const scene::Node &list, const std::vector<std::string> &known, const std::string &kind);
 
   /// ParaView collection of files, each valid from its time on [s].
   std::string pvd_text(const std::vector<std::pair<double, std::string>> &files);

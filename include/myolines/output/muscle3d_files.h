@@ -1,8 +1,8 @@
 #pragma once
 
 #include <myolines/output/muscle3d_sample.h>
+#include <myolines/output/output_folder.h>
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,29 +16,32 @@ namespace myolines
   public:
     virtual ~SeriesFile() = default;
 
-    /// After every accepted step and at the start, whether or not a row is due: for what accumulates over time.
-    virtual void advance(const Muscle3dSample &) {}
-
     virtual void row(const Muscle3dSample &sample, std::size_t step) = 0;
+
+    /// After an accepted step without a row: for what accumulates over time.
+    virtual void pass(const Muscle3dSample &) {}
+
+    /// As Observer::save().
+    virtual void save(Archive &) const {}
   };
 
   /// A file whose row is a function of the sample alone.
-  std::unique_ptr<SeriesFile> make_series_file(const std::filesystem::path &file, const std::vector<std::string> &columns,
+  std::unique_ptr<SeriesFile> make_series_file(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns,
                                                std::function<std::vector<double>(const Muscle3dSample &)> values);
 
   // The peer's files, with its names and columns.
-  std::unique_ptr<SeriesFile> force_file(const std::filesystem::path &folder, unsigned int face);
-  std::unique_ptr<SeriesFile> all_faces_files(const std::filesystem::path &folder);
-  std::unique_ptr<SeriesFile> energy_file(const std::filesystem::path &folder);
-  std::unique_ptr<SeriesFile> stretch_file(const std::filesystem::path &folder);
-  std::unique_ptr<SeriesFile> gearing_info_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters);
-  std::unique_ptr<SeriesFile> activation_file(const std::filesystem::path &folder);
-  std::unique_ptr<SeriesFile> displacements_file(const std::filesystem::path &folder, std::shared_ptr<const MarkerProbe> probe);
+  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, unsigned int face);
+  std::unique_ptr<SeriesFile> all_faces_files(const OutputFolder &folder);
+  std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder);
+  std::unique_ptr<SeriesFile> stretch_file(const OutputFolder &folder);
+  std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
+  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder);
+  std::unique_ptr<SeriesFile> displacements_file(const OutputFolder &folder, std::shared_ptr<const MarkerProbe> probe);
 
   // Ours.
 
   /// reaction.csv: per prescribing condition the force with which it pulls on the muscle.
-  std::unique_ptr<SeriesFile> reaction_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters);
+  std::unique_ptr<SeriesFile> reaction_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
   /// energy_balance.csv. Works are integrals over time of the powers, trapezoidal between accepted steps:
   ///
@@ -46,11 +49,11 @@ namespace myolines
   ///
   /// At a kink of a drive the power has two limits and the one before it is used: an error of first order in the one step
   /// that follows.
-  std::unique_ptr<SeriesFile> energy_balance_file(const std::filesystem::path &folder);
+  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder);
 
   /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row; not a
   /// number while fibres are at rest.
-  std::unique_ptr<SeriesFile> gearing_file(const std::filesystem::path &folder, const Muscle3dParameters &parameters);
+  std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
   /// Length of the longest straight fibre inside the block [m], the L_f0 of thesis (7.2.1).
   double longest_fibre(const Muscle3dParameters &parameters);

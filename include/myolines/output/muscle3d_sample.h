@@ -20,16 +20,19 @@ namespace myolines
   /// What the files of a muscle run may want to know of one state, each measured on first use and then shared: a row of
   /// every file costs one pass over the body, and nothing that no file asks for is measured.
   /// All ranks must ask for the same things in the same order. Borrows everything.
+  ///
+  /// Ledger: "body measurements", "power measurements", "reaction measurements", "face force measurements".
   class Muscle3dSample
   {
   public:
-    Muscle3dSample(const Muscle3dSystem &system, const State &state, Side side, SlabRule slab, const EndPoints &ends);
+    Muscle3dSample(const Muscle3dSystem &system, const State &state, Side side, SlabRule slab, const EndPoints &ends, WorkLedger &ledger);
 
     const Muscle3dSystem &system() const { return system_; }
     const State          &state() const { return state_; }
     double                t() const { return state_.t; }
 
     const BodyMeasures                &body() const;
+    Powers                             powers() const; ///< less work than body(), and none if that was measured
     const std::vector<Reaction>       &reactions() const;
     const Parts<dealii::Tensor<1, 3>> &face_force(unsigned int face) const;
 
@@ -43,8 +46,10 @@ namespace myolines
     Side                  side_;
     SlabRule              slab_;
     const EndPoints      &ends_;
+    WorkLedger           &ledger_;
 
     mutable std::optional<BodyMeasures>                               body_;
+    mutable std::optional<Powers>                                     powers_;
     mutable std::optional<std::vector<Reaction>>                      reactions_;
     mutable std::array<std::optional<Parts<dealii::Tensor<1, 3>>>, 6> forces_;
   };

@@ -2,6 +2,7 @@
 
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
+#include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/ledger.h>
 #include <myolines/time/loop.h>
@@ -16,21 +17,24 @@ namespace myolines
   scene::Schema muscle3d_output_schema();
   scene::Schema oscillator_output_schema();
 
-  /// The observers a scene asks for; they write into @p folder, which exists and is writable.
-  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle3dSystem &system,
-                                                      const std::filesystem::path &folder, WorkLedger &ledger);
-  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system,
-                                                      const std::filesystem::path &folder, WorkLedger &ledger);
+  /// The observers a scene asks for; they write into @p folder, which exists and is writable. Made on all ranks alike.
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle3dSystem &system, const OutputFolder &folder,
+                                                      WorkLedger &ledger);
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system, const OutputFolder &folder,
+                                                      WorkLedger &ledger);
 
   /// Status line per step on a terminal, one line per step in run.log, always run.log; on rank 0.
-  std::unique_ptr<Observer> make_status(const std::filesystem::path &folder, double start, double end, bool quiet);
+  std::unique_ptr<Observer> make_status(const OutputFolder &folder, double start, double end, bool quiet);
   /// steps.csv: number, t, dt, outcome, iterations, residuals of every attempt, rejected ones included.
-  std::unique_ptr<Observer> make_steps_file(const std::filesystem::path &folder);
+  std::unique_ptr<Observer> make_steps_file(const OutputFolder &folder);
 
   /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, exit reason. @p started as
-  /// iso8601_now() (output/text_file.h) gives it; "finished" is the moment of writing. Rank 0 writes.
+  /// iso8601_now() (output/text_file.h) gives it; "finished" is the moment of writing; @p resumed says from what, "" if the run began
+  /// at its start. Rank 0 writes.
   void write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
-                      const std::string &exit_reason);
+                      const std::string &resumed, const std::string &exit_reason);
+  /// True if the manifest in @p folder says that its run was done, on all ranks.
+  bool run_is_done(const std::filesystem::path &folder);
   /// ledger.json: counts and seconds by phase, those of rank 0.
   void write_ledger(const std::filesystem::path &folder, const WorkLedger &ledger);
 } // namespace myolines

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <myolines/output/output_folder.h>
 #include <myolines/time/loop.h>
 
 #include <chrono>
-#include <filesystem>
 #include <fstream>
 #include <iosfwd>
 
@@ -15,10 +15,11 @@ namespace myolines
   {
   public:
     /// Times in seconds; @p terminal may be nullptr (not a terminal, or the user wants quiet). Only the rank that
-    /// writes files logs and shows.
-    Status(const std::filesystem::path &log, double start, double end, std::ostream *terminal);
+    /// writes files logs, in run.log, and shows. The log of a resumed run goes on.
+    Status(const OutputFolder &folder, double start, double end, std::ostream *terminal);
 
     void begin(const State &state) override;
+    void resume(const State &state, std::size_t step) override;
     void accepted(const State &state, const StepRecord &record) override;
     void rejected(const StepRecord &record) override;
     void end(const std::string &reason) override;
@@ -31,6 +32,7 @@ namespace myolines
     std::ofstream                         log_;
     double                                start_;
     double                                end_;
+    double                                from_ = 0; ///< where this run began or was resumed [s]
     std::ostream                         *terminal_;
     std::size_t                           shown_width_ = 0;
     std::chrono::steady_clock::time_point begin_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace myolines
@@ -11,6 +12,14 @@ namespace myolines
   /// Replaces @p file by @p text in one move, so that a reader or a kill never sees half of it. Does nothing on ranks
   /// that do not write. @throws std::runtime_error with the path if the disk refuses.
   void replace_file(const std::filesystem::path &file, const std::string &text);
+
+  /// Returns once what was written to @p file, or the names in a folder, is on the disk itself.
+  /// @throws std::runtime_error with the path if the disk refuses.
+  void sync_to_disk(const std::filesystem::path &file);
+
+  /// Runs @p action on the rank that writes. @throws InputError on all ranks if it throws: about @p where, with its message,
+  /// what was @p expected and how to mend it.
+  void on_writing_rank(const std::string &where, const std::string &expected, const std::string &hint, const std::function<void()> &action);
 
   /// Shortest decimal text that reads back as exactly @p value (at most 17 significant digits).
   std::string exact_text(double value);

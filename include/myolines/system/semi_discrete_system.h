@@ -58,5 +58,10 @@ namespace myolines
 
     /// Kinks of the drives in the open interval (t0, t1), ascending.
     virtual std::vector<double> events(double t0, double t1) const = 0;
+
+    /// Local numbers of the owned entries of this rank in an order for files: those of the first rank, then of the second, ...
+    /// are one sequence of unknowns that does not depend on how many ranks share them. Every owned entry occurs once.
+    /// By default the order of the numbering, for systems whose numbering does not depend on the ranks.
+    virtual std::vector<unsigned int> canonical_order() const;
   };
 } // namespace myolines

@@ -4,6 +4,7 @@
 #include <myolines/time/step_control.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,31 @@ namespace myolines
   {
   public:
     virtual ~Observer() = default;
-    virtual void begin(const State &) {}                        ///< initial state, before the first step
-    virtual void accepted(const State &, const StepRecord &) {} ///< after every accepted step
-    virtual void rejected(const StepRecord &) {}                ///< after every rejected attempt
-    virtual void end(const std::string & /*reason*/) {}         ///< always called, also after a failure; "" if done
+    virtual void begin(const State &) {}                                         ///< initial state, before the first step
+    virtual void resume(const State &, std::size_t /*accepted steps so far*/) {} ///< instead of begin() in a resumed run
+    virtual void accepted(const State &, const StepRecord &) {}                  ///< after every accepted step
+    virtual void rejected(const StepRecord &) {}                                 ///< after every rejected attempt
+
+    /// The state a run ended with: done, stopped, or unable to go on; the last one accepted. Not after other errors,
+    /// of which other ranks may not know.
+    virtual void last(const State &) {}
+    virtual void end(const std::string & /*reason*/) {} ///< always called, also after a failure; "" if done
+
+    /// What the observer must remember where a run is resumed. It gets it back when it is made.
+    virtual void save(Archive &) const {}
+  };
+
+  /// Keeps a run, so that it can be resumed, and may end it. The loop calls it on all ranks alike.
+  class Keeper
+  {
+  public:
+    virtual ~Keeper() = default;
+
+    /// After every accepted step, after its observers. A text ends the run: why.
+    virtual std::optional<std::string> accepted(const State &state, std::size_t step) = 0;
+
+    /// The run ends with this last accepted state: done, stopped, or unable to go on; before the observers know.
+    virtual void ended(const State &state, std::size_t step) = 0;
   };
 
   struct LoopSettings
@@ -54,7 +76,8 @@ namespace myolines
   /// have been loaded, and the run goes on as if it had not stopped.
   ///
   /// Ledger: "accepted steps", "rejected steps", "restarts at events".
-  /// @throws SolveError with reason, time and last step size when the control gives up; observers were told before.
+  /// @throws SolveError with reason, time and last step size when the control gives up, Interrupted when the keeper ends the
+  /// run; observers were told before.
   void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
-                const std::vector<Observer *> &observers, WorkLedger &ledger);
+                const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper = nullptr);
 } // namespace myolines

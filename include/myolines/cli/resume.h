@@ -1,0 +1,15 @@
+#pragma once
+
+#include <myolines/cli/experiment.h>
+#include <myolines/output/checkpoint.h>
+
+namespace myolines
+{
+  /// Where @p now, the scene to resume with, must not differ from @p saved, the scene in the checkpoint: everything but
+  /// the title and the lists `output` and `solver`, and in `time` the end, the steps and their control. Both as resolved XML.
+  /// @throws InputError that names every parameter that differs, with both values.
+  void refuse_other_run(const std::string &saved, const std::string &now, const std::string &scene_file);
+
+  /// What is not as it was when @p checkpoint was written and costs the resumed run its bit-equality; a line each.
+  std::vector<std::string> changes_of_machine(const Checkpoint &checkpoint);
+} // namespace myolines

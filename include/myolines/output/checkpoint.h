@@ -1,0 +1,60 @@
+#pragma once
+
+#include <myolines/system/archive.h>
+#include <myolines/system/ledger.h>
+#include <myolines/system/semi_discrete_system.h>
+
+#include <filesystem>
+#include <string>
+
+namespace myolines
+{
+  /// Everything a run needs to go on where it was.
+  struct Checkpoint
+  {
+    std::size_t  step = 0; ///< accepted steps
+    State        state;
+    Archive      integrator, control, outputs;
+    WorkLedger   ledger;          ///< of rank 0
+    std::string  scene;           ///< every value in force, as scene.resolved.xml
+    unsigned int ranks = 1;       ///< that wrote it
+    std::string  instruction_set; ///< of the cell kernels that computed it
+  };
+
+  /// The file of @p folder that holds the state to resume from.
+  std::filesystem::path checkpoint_file(const std::filesystem::path &folder);
+
+  /// Writes @p checkpoint to @p file: first to a file beside it, then, when that is on the disk, in one move; whenever the
+  /// program is killed, one whole checkpoint stands. Collective. Vectors are written in the canonical order of the system, bit by
+  /// bit, and the integrator's with them; of outputs and control only numbers.
+  /// @throws std::runtime_error if the disk refuses, on the ranks that notice.
+  void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const SemiDiscreteSystem &system);
+
+  /// Reads what write_checkpoint() wrote, on any number of ranks. Collective.
+  class CheckpointReader
+  {
+  public:
+    /// Reads all but the vectors. @throws InputError on all ranks if there is no file, or not one of this version.
+    explicit CheckpointReader(const std::filesystem::path &file);
+
+    /// All but the vectors, which are empty.
+    const Checkpoint &contents() const { return contents_; }
+
+    /// Everything, vectors included, for the @p system that wrote it.
+    /// @throws InputError if the file is damaged or holds another number of unknowns.
+    Checkpoint read(const SemiDiscreteSystem &system) const;
+
+  private:
+    struct Block
+    {
+      std::string part; ///< "state" or "integrator"
+      std::string name;
+    };
+
+    std::filesystem::path file_;
+    Checkpoint            contents_;
+    std::vector<Block>    blocks_;
+    std::size_t           n_unknowns_ = 0;
+    std::size_t           begin_      = 0; ///< of the vectors [bytes]
+  };
+} // namespace myolines

@@ -1,0 +1,79 @@
+#include <myolines/muscle3d/kernels.h>
+#include <myolines/output/checkpoint_keeper.h>
+#include <myolines/output/text_file.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cstring>
+
+namespace myolines
+{
+  scene::Schema checkpoint_schema()
+  {
+    scene::Schema checkpoint(
+        "States to resume from with --resume. The last state is always saved: at the end, on a signal, after a failure.");
+    checkpoint
+        .integer("every", 10, scene::Range::closed(1, 1e9),
+                 "A state can be saved after every so many accepted steps; solvers keep nothing beyond them.")
+        .number("seconds", 600, "s", scene::Range::not_negative(), "Least wall-clock time between two states that are saved.");
+    return checkpoint;
+  }
+
+  CheckpointKeeper::CheckpointKeeper(const scene::Node &checkpoint, RunParts run, const std::filesystem::path &folder)
+    : run_(std::move(run))
+    , file_(checkpoint_file(folder))
+    , every_(checkpoint.integer("every"))
+    , seconds_(checkpoint.number("seconds"))
+    , written_at_(std::chrono::steady_clock::now())
+  {
+    run_.control.save(control_);
+  }
+
+  std::optional<std::string> CheckpointKeeper::accepted(const State &state, const std::size_t step)
+  {
+    run_.control.save(control_);
+    if (const int signal = dealii::Utilities::MPI::max(run_.stop_signal(), MPI_COMM_WORLD))
+      return std::string("asked to stop by the signal \"") + strsignal(signal) + "\" after step " + std::to_string(step) +
+             " at t = " + exact_text(state.t) + " s";
+    if (step % every_ == 0)
+      {
+        run_.forget();
+        if (time_to_write())
+          write(state, step);
+      }
+    return std::nullopt;
+  }
+
+  void CheckpointKeeper::ended(const State &state, const std::size_t step)
+  {
+    if (step > 0)
+      write(state, step);
+  }
+
+  bool CheckpointKeeper::time_to_write() const
+  {
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - written_at_).count();
+    return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, elapsed >= seconds_);
+  }
+
+  void CheckpointKeeper::write(const State &state, const std::size_t step)
+  {
+    {
+      const WorkLedger::Timer timer(run_.ledger, "checkpoint");
+      run_.ledger.count("checkpoints");
+      Checkpoint checkpoint;
+      checkpoint.step  = step;
+      checkpoint.state = state;
+      run_.integrator.save(checkpoint.integrator);
+      checkpoint.control = control_;
+      for (const Observer *observer : run_.observers)
+        observer->save(checkpoint.outputs);
+      checkpoint.ledger          = run_.ledger;
+      checkpoint.scene           = run_.scene;
+      checkpoint.ranks           = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      checkpoint.instruction_set = name(widest_instruction_set());
+      write_checkpoint(file_, checkpoint, run_.system);
+    }
+    written_at_ = std::chrono::steady_clock::now();
+  }
+} // namespace myolines
