@@ -1,5 +1,5 @@
 #include <myolines/cli/experiment.h>
-#include <myolines/time/stage.h>
+#include <myolines/time/start.h>
 
 namespace myolines
 {
@@ -33,9 +33,10 @@ namespace myolines
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
     refuse_ignored_inertia();
-    control_    = make_step_control(scene_.section("time"));
-    integrator_ = method_.make(scene_.section("integrator"),
-                               IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(scene_.section("time")), ledger_});
+    control_                = make_step_control(scene_.section("time"));
+    const scene::Node &time = scene_.section("time");
+    integrator_             = method_.make(scene_.section("integrator"),
+                                           IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time)});
   }
 
   void Experiment::refuse_ignored_inertia() const
@@ -48,7 +49,8 @@ namespace myolines
 
   void Experiment::run(const std::vector<Observer *> &observers)
   {
-    State state = starting_state(*assembled_.system, settings_.start, boundary_rates(scene_.section("time")));
+    const scene::Node &time  = scene_.section("time");
+    State              state = starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
     run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_);
   }
 
