@@ -40,7 +40,8 @@ namespace myolines
         State predictors = state;
         predictors.v     = 0;
         predictors.a     = 0;
-        return stage_.step(stage, std::move(predictors), state);
+        Vector increment = state.u;
+        return stage_.step(stage, predictors, increment, state);
       }
 
       void save(Archive &) const override {}

@@ -49,7 +49,7 @@ namespace myolines
     SizeEstimate muscle3d_size(const Node &node, const unsigned int ranks)
     {
       const Muscle3dSizes sizes = estimate_sizes(read_muscle3d(node), ranks);
-      return {sizes.n_unknowns, sizes.bytes, sizes.matrix_bytes};
+      return {sizes.n_unknowns, sizes.bytes, sizes.matrix_bytes, sizes.two_level_bytes};
     }
 
     SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0}; }

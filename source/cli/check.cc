@@ -37,14 +37,19 @@ namespace myolines
       std::filesystem::path path_;
     };
 
-    void print_method(const MethodFacts &facts, std::ostream &out)
+    void print_method(const Experiment &experiment, std::ostream &out)
     {
+      const MethodFacts &facts = experiment.method();
       out << "Integrator: " << facts.name << "\n  " << facts.summary << "\n";
       if (facts.order > 0)
         out << "  order " << facts.order << ", " << facts.stability << "\n";
       if (!facts.dynamic)
         out << "  ignores inertia and rates\n";
       out << "  reference: " << facts.reference << "\n";
+      const auto &derived = integrator_entry(facts.name).derived;
+      if (derived)
+        for (const std::string &line : derived(experiment.scene().section("integrator")))
+          out << "  " << line << "\n";
     }
 
     /// "8 x 0.025 s", equal neighbours together.
@@ -83,7 +88,7 @@ namespace myolines
       out << "  " << line << "\n";
     for (const std::string &line : memory_lines(experiment.scene()))
       out << "  " << line << "\n";
-    print_method(experiment.method(), out);
+    print_method(experiment, out);
     print_steps(experiment, out);
     for (const std::string &warning : experiment.assembled().warnings)
       out << "Warning: " << warning << "\n";

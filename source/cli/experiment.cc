@@ -1,7 +1,7 @@
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
-#include <myolines/time/stage.h>
+#include <myolines/time/start.h>
 
 namespace myolines
 {
@@ -41,9 +41,10 @@ namespace myolines
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
     refuse_ignored_inertia();
-    control_    = make_step_control(scene_.section("time"));
-    integrator_ = method_.make(scene_.section("integrator"),
-                               IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(scene_.section("time")), ledger_});
+    control_                = make_step_control(scene_.section("time"));
+    const scene::Node &time = scene_.section("time");
+    integrator_             = method_.make(scene_.section("integrator"),
+                                           IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time)});
   }
 
   void Experiment::refuse_ignored_inertia() const
@@ -70,7 +71,8 @@ namespace myolines
   void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder,
                        const std::function<int()> &stop_signal)
   {
-    State state = resumed_ ? *resumed_ : starting_state(*assembled_.system, settings_.start, boundary_rates(scene_.section("time")));
+    const scene::Node &time = scene_.section("time");
+    State state = resumed_ ? *resumed_ : starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
     CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
                             {*assembled_.system, *integrator_, *control_, observers, ledger_, scene::resolved_xml(scene_),
                              [this] { linear_.forget(); }, stop_signal},

@@ -241,6 +241,7 @@ namespace myolines
         out << "changed: Time / End time = " << peer.text("Time", "End time") << " is no whole number of steps; the scene ends at "
             << format_number(whole * step) << " s\n";
       settings.push_back({"time/boundary rates", "scheme"});
+      settings.push_back({"time/start velocity", "impulse"});
       settings.push_back({"time/events", "land"});
       if (!steps.empty())
         out << "replaced by --steps: Time / Time step size = " << peer.text("Time", "Time step size")

@@ -23,10 +23,22 @@ namespace myolines
       double total() const { return program + system + krylov + preconditioner; }
     };
 
-    bool direct(const scene::Node &preconditioner, const double n_unknowns)
+    /// Bytes of the preconditioner. Factors of a three-dimensional body grow like n^(4/3): 0.2 GB for 14,739 unknowns, 3 GB
+    /// for 107,811. A hierarchy takes at most what its matrix takes.
+    double preconditioner_bytes(const scene::Node &preconditioner, const SizeEstimate &size, const double ranks)
     {
-      const std::string type = preconditioner.text("type");
-      return type == "direct" || (type == "automatic" && n_unknowns <= preconditioner.integer("direct up to"));
+      const std::string type    = preconditioner.text("type");
+      const double      factors = 560 * std::pow(size.n_unknowns, 4. / 3) / ranks;
+      if (type == "direct")
+        return size.matrix_bytes + factors;
+      if (type == "p multigrid")
+        return size.two_level_bytes;
+      if (type != "automatic")
+        return 2 * size.matrix_bytes;
+      const bool two_levels = size.two_level_bytes > 0;
+      if (size.n_unknowns <= preconditioner.integer(two_levels ? "direct up to" : "direct without levels up to"))
+        return size.matrix_bytes + factors;
+      return two_levels ? size.two_level_bytes : 2 * size.matrix_bytes;
     }
 
     Need need(const scene::Node &scene)
@@ -38,11 +50,9 @@ namespace myolines
       const SizeEstimate size           = system_entry(system.text("type"), system.where("type")).size(system, ranks);
 
       Need need;
-      need.system = size.bytes;
-      need.krylov = (linear.integer("restart") + 5.) * size.n_unknowns / ranks * sizeof(double);
-      // Factors of a three-dimensional body grow like n^(4/3): 0.2 GB for 14,739 unknowns, 3 GB for 107,811. A hierarchy takes
-      // at most what its matrix takes.
-      need.preconditioner = direct(preconditioner, size.n_unknowns) ? 560 * std::pow(size.n_unknowns, 4. / 3) / ranks : size.matrix_bytes;
+      need.system         = size.bytes;
+      need.krylov         = (linear.integer("restart") + 5.) * size.n_unknowns / ranks * sizeof(double);
+      need.preconditioner = preconditioner_bytes(preconditioner, size, ranks);
       return need;
     }
 
@@ -83,7 +93,7 @@ namespace myolines
       return;
     scene.refuse("system", "the run wants about " + gigabytes(wanted) + " for each of " + std::to_string(ranks) + " rank(s) of a node",
                  "at most the physical memory of the node, " + gigabytes(physical_memory()),
-                 "a smaller system/geometry/refinement or degree, more nodes with fewer ranks on each, or solver/preconditioner/type ml "
-                 "instead of direct");
+                 "a smaller system/geometry/refinement or degree, more nodes with fewer ranks on each, or solver/preconditioner/type "
+                 "\"p multigrid\" instead of direct or ml");
   }
 } // namespace myolines

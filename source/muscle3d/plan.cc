@@ -53,9 +53,18 @@ namespace myolines
     const double row      = 3 * std::pow(2 * k + 1, 3); // most entries of a row of a regular mesh
     const double mesh     = 2000;                       // bytes of a cell in mesh and numbering, measured
 
-    sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int));
-    sizes.bytes        = sizes.matrix_bytes + 20 * unknowns * sizeof(double) +
-                  seen * (mesh + nodes * nodes * sizeof(int) + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
+    const double points = std::pow(parameters.n_points, 3), lean = std::pow(k + 1, 3);
+    const double star     = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
+    const double tangents = tangent_size_rate * sizeof(double) * own;
+
+    sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (nodes + 1) * sizeof(int);
+    sizes.bytes =
+        20 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double)) + points * tangents;
+    if (k > 1)
+      sizes.two_level_bytes = own * star * (star + 1) / 2 * sizeof(float) +                         // patches, one for each vertex
+                              seen * 8 * 3 * std::pow(k, 3) * sizeof(short) +                       // places of their entries
+                              unknowns / std::pow(k, 3) * 81 * 2 * (sizeof(double) + sizeof(int)) + // coarse matrix, hierarchy
+                              (parameters.n_points > k + 1 ? lean * tangents : 0.);
     return sizes;
   }
 } // namespace myolines

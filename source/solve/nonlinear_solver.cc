@@ -290,6 +290,7 @@ namespace myolines
     }
 
     NonlinearReport solve(NonlinearProblem &problem, Vector &x);
+    void            forget() { linear_.forget(); }
 
   private:
     Teuchos::RCP<Teuchos::ParameterList> parameters(Solve &solve) const;
@@ -388,4 +389,6 @@ namespace myolines
   NonlinearSolver::~NonlinearSolver() = default;
 
   NonlinearReport NonlinearSolver::solve(NonlinearProblem &problem, Vector &x) { return implementation_->solve(problem, x); }
+
+  void NonlinearSolver::forget() { implementation_->forget(); }
 } // namespace myolines

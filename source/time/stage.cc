@@ -1,139 +1,244 @@
+#include <myolines/solve/free_unknowns.h>
+#include <myolines/time/combination.h>
 #include <myolines/time/stage.h>
 
+#include <optional>
 #include <stdexcept>
 
 namespace myolines
 {
-  /// One stage as a nonlinear problem for d. Linear systems are linearised once and for all.
-  class StageSolver::Problem : public NonlinearProblem
+  /// What all stages of an integrator share: the linearisation, and states to compute in.
+  class StageSolver::Work
   {
   public:
-    explicit Problem(const IntegratorContext &context)
-      : system_(context.system)
-      , rates_(context.boundary_rates)
-      , capabilities_(system_.capabilities())
-      , linearisation_(system_.make_linearisation())
+    explicit Work(const IntegratorContext &context)
+      : system(context.system)
+      , rates(context.boundary_rates)
+      , capabilities(system.capabilities())
+      , linearisation(system.make_linearisation())
     {}
 
-    /// Takes the predictors; with exact rates shifts those of constrained unknowns so that the stage ends at (g, g', g'').
-    void begin(const Stage &stage, const State &predictor, const Vector &d)
+    /// Vectors come with the first solve: a system gives its layout only through states.
+    void allocate(const Vector &layout)
     {
-      if (stage.c.u == 0)
-        throw std::logic_error("a stage needs c_u != 0");
-      stage_     = &stage;
-      weights_   = stage_weights(stage.scale * stage.c.u, stage.scale * stage.c.v, stage.scale * stage.c.a);
-      predictor_ = predictor;
-      if (rates_ == BoundaryRates::exact)
-        shift_rates(d);
-    }
-
-    /// The point of the stage at @p d.
-    State point(const Vector &d) const
-    {
-      State state = predictor_;
-      state.t     = stage_->t;
-      state.u.add(stage_->c.u, d);
-      state.v.add(stage_->c.v, d);
-      state.a.add(stage_->c.a, d);
-      return state;
-    }
-
-    const Constraints &constraints() const override { return system_.constraints(); }
-
-    void impose(Vector &d) const override
-    {
-      State state = point(d);
-      system_.prescribed(stage_->t, stage_->side, state);
-      for (const unsigned int row : constrained_rows(d))
-        d.local_element(row) = (state.u.local_element(row) - predictor_.u.local_element(row)) / stage_->c.u;
-      d.update_ghost_values();
-    }
-
-    Evaluation residual(const Vector &d, Vector &f) override
-    {
-      State state = point(d);
-      update_ghosts(state);
-      Evaluation evaluation = system_.residual({stage_->t, stage_->side, state.u, state.v, state.a}, f);
-      f *= stage_->scale;
-      if (stage_->history != nullptr)
-        f += *stage_->history;
-      return evaluation;
-    }
-
-    void linearise(const Vector &d) override
-    {
-      if (capabilities_.linear && linearised_)
+      if (free)
         return;
-      State state = point(d);
-      update_ghosts(state);
-      system_.linearise({stage_->t, stage_->side, state.u, state.v, state.a}, *linearisation_);
-      linearised_ = true;
+      free.emplace(system.constraints(), layout);
+      for (State *state : {&end, &average})
+        *state = State{0, layout, layout, layout};
+      for (const auto &line : system.constraints().get_lines())
+        if (layout.in_local_range(line.index))
+          constrained_rows.push_back(layout.get_partitioner()->global_to_local(line.index));
     }
 
-    Linearisation        &linearisation() override { return *linearisation_; }
-    const WeightsByOrder &weights() const override { return weights_; }
-    bool                  symmetric() const override { return capabilities_.symmetric_tangent; }
-
-    /// Constrained displacements of a solved stage hold g(t) without the round-off of u~ + c_u d, and with exact rates
-    /// their derivatives too.
-    void finish(State &state) const
+    /// Nothing depends on the point if the system is linear, or if it is only the mass that is asked for.
+    void linearise(const Point &point, const bool mass_only)
     {
-      if (rates_ == BoundaryRates::exact)
-        system_.prescribed(stage_->t, stage_->side, state);
-      else
-        {
-          State exact = state;
-          system_.prescribed(stage_->t, stage_->side, exact);
-          state.u = exact.u;
-        }
-      update_ghosts(state);
+      if ((linearised && capabilities.linear) || (linearised && mass_only && capabilities.constant_mass))
+        return;
+      system.linearise(point, *linearisation);
+      linearised = true;
     }
 
-  private:
-    static void update_ghosts(State &state)
+    const SemiDiscreteSystem      &system;
+    const BoundaryRates            rates;
+    const Capabilities             capabilities;
+    std::unique_ptr<Linearisation> linearisation;
+    bool                           linearised = false;
+    std::optional<FreeUnknowns>    free;
+    std::vector<unsigned int>      constrained_rows; ///< local numbers
+    State                          end;              ///< of the stage
+    State                          average;          ///< where the residual is evaluated, if not there
+  };
+
+  namespace
+  {
+    void update_ghosts(State &state)
     {
       state.u.update_ghost_values();
       state.v.update_ghost_values();
       state.a.update_ghost_values();
     }
+  } // namespace
 
-    const std::vector<unsigned int> &constrained_rows(const Vector &layout) const
+  /// One stage as a nonlinear problem for d.
+  class StageSolver::StageProblem : public NonlinearProblem
+  {
+  public:
+    StageProblem(Work &work, const Stage &stage, State &predictor, const Vector &d)
+      : work_(work)
+      , stage_(stage)
+      , predictor_(predictor)
+      , by_(stage.c.u != 0 ? &State::u : &State::a)
+      , c_by_(stage.c.u != 0 ? stage.c.u : stage.c.a)
     {
-      if (!rows_known_)
-        for (const auto &line : system_.constraints().get_lines())
-          if (layout.in_local_range(line.index))
-            rows_.push_back(layout.get_partitioner()->global_to_local(line.index));
-      rows_known_ = true;
-      return rows_;
+      if (c_by_ == 0)
+        throw std::logic_error("a stage needs c_u or c_a");
+      work_.allocate(d);
+      const Weights at = stage.average != nullptr ? stage.average->weight : Weights{1, 1, 1};
+      weights_         = stage_weights(stage.scale * at.u * stage.c.u, stage.scale * at.v * stage.c.v, stage.scale * at.a * stage.c.a);
+      if (stage.prescribed)
+        shift_predictors(d);
     }
 
-    void shift_rates(const Vector &d)
+    const Constraints &constraints() const override { return work_.system.constraints(); }
+
+    void impose(Vector &d) const override
     {
-      State end = point(d);
-      system_.prescribed(stage_->t, stage_->side, end);
-      for (const unsigned int row : constrained_rows(d))
+      if (!stage_.prescribed)
         {
-          const double target             = (end.u.local_element(row) - predictor_.u.local_element(row)) / stage_->c.u;
-          predictor_.v.local_element(row) = end.v.local_element(row) - stage_->c.v * target;
-          predictor_.a.local_element(row) = end.a.local_element(row) - stage_->c.a * target;
+          work_.free->distribute(d);
+          return;
+        }
+      State &end = work_.end;
+      set_end(d);
+      work_.system.prescribed(stage_.t, stage_.side, end);
+      for (const unsigned int row : work_.constrained_rows)
+        d.local_element(row) = target(row);
+      d.update_ghost_values();
+    }
+
+    Evaluation residual(const Vector &d, Vector &f) override
+    {
+      Evaluation evaluation = work_.system.residual(point(d), f);
+      if (stage_.scale != 1)
+        f *= stage_.scale;
+      if (stage_.history != nullptr)
+        f += *stage_.history;
+      return evaluation;
+    }
+
+    void linearise(const Vector &d) override { work_.linearise(point(d), weights_[2].u == 0 && weights_[2].v == 0); }
+
+    Linearisation        &linearisation() override { return *work_.linearisation; }
+    const WeightsByOrder &weights() const override { return weights_; }
+    bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
+
+    /// Turns the predictors into the end of the stage. Constrained displacements hold g(t) without the round-off of
+    /// u~ + c_u d, and with exact rates their derivatives too.
+    void finish(const Vector &d)
+    {
+      set_end(d);
+      swap(work_.end, predictor_);
+      State &state = predictor_;
+      if (stage_.prescribed && work_.rates == BoundaryRates::exact)
+        work_.system.prescribed(stage_.t, stage_.side, state);
+      else if (stage_.prescribed)
+        {
+          State &exact = work_.end;
+          exact        = state;
+          work_.system.prescribed(stage_.t, stage_.side, exact);
+          for (const unsigned int row : work_.constrained_rows)
+            state.u.local_element(row) = exact.u.local_element(row);
+        }
+      update_ghosts(state);
+    }
+
+  private:
+    void set_end(const Vector &d) const
+    {
+      State &end = work_.end;
+      end.t      = stage_.t;
+      combine(end.u, {{1, &predictor_.u}, {stage_.c.u, &d}});
+      combine(end.v, {{1, &predictor_.v}, {stage_.c.v, &d}});
+      combine(end.a, {{1, &predictor_.a}, {stage_.c.a, &d}});
+      update_ghosts(end);
+    }
+
+    Point point(const Vector &d) const
+    {
+      set_end(d);
+      const State &end = work_.end;
+      if (stage_.average == nullptr)
+        return {stage_.t, stage_.side, end.u, end.v, end.a};
+      const Stage::Average &at      = *stage_.average;
+      State                &average = work_.average;
+      combine(average.u, {{1, &at.offset->u}, {at.weight.u, &end.u}});
+      combine(average.v, {{1, &at.offset->v}, {at.weight.v, &end.v}});
+      combine(average.a, {{1, &at.offset->a}, {at.weight.a, &end.a}});
+      update_ghosts(average);
+      return {at.t, stage_.side, average.u, average.v, average.a};
+    }
+
+    /// Value of d with which the constrained unknown @p row reaches what prescribed() has put into work_.end.
+    double target(const unsigned int row) const
+    {
+      return ((work_.end.*by_).local_element(row) - (predictor_.*by_).local_element(row)) / c_by_;
+    }
+
+    void shift_predictors(const Vector &d)
+    {
+      const bool exact = work_.rates == BoundaryRates::exact, explicit_stage = stage_.c.u == 0;
+      if (!exact && !explicit_stage)
+        return;
+      set_end(d);
+      const State &end = work_.end;
+      work_.system.prescribed(stage_.t, stage_.side, work_.end);
+      for (const unsigned int row : work_.constrained_rows)
+        {
+          const double value = target(row);
+          if (explicit_stage)
+            predictor_.u.local_element(row) = end.u.local_element(row);
+          else
+            predictor_.a.local_element(row) = end.a.local_element(row) - stage_.c.a * value;
+          if (exact)
+            predictor_.v.local_element(row) = end.v.local_element(row) - stage_.c.v * value;
         }
     }
 
-    const SemiDiscreteSystem      &system_;
-    const BoundaryRates            rates_;
-    const Capabilities             capabilities_;
-    std::unique_ptr<Linearisation> linearisation_;
-    bool                           linearised_ = false;
-    const Stage                   *stage_      = nullptr;
-    State                          predictor_;
-    WeightsByOrder                 weights_;
+    Work        &work_;
+    const Stage &stage_;
+    State       &predictor_;
+    Vector State::*by_; ///< the quantity whose prescribed value determines d
+    double         c_by_;
+    WeightsByOrder weights_;
+  };
 
-    mutable bool                      rows_known_ = false; // constraints are constant, but known only with a layout
-    mutable std::vector<unsigned int> rows_;
+  /// J d + r = 0 at a fixed linearisation.
+  class StageSolver::LinearProblem : public NonlinearProblem
+  {
+  public:
+    LinearProblem(Work &work, const Weights &weights, const Vector &r, const Vector &d)
+      : work_(work)
+      , weights_(stage_weights(weights.u, weights.v, weights.a))
+      , r_(r)
+    {
+      work_.allocate(d);
+      for (const unsigned int row : work_.constrained_rows)
+        constrained_.push_back(d.local_element(row));
+    }
+
+    const Constraints &constraints() const override { return work_.system.constraints(); }
+
+    void impose(Vector &d) const override
+    {
+      work_.free->distribute(d);
+      for (std::size_t i = 0; i < constrained_.size(); ++i)
+        d.local_element(work_.constrained_rows[i]) += constrained_[i];
+      d.update_ghost_values();
+    }
+
+    Evaluation residual(const Vector &d, Vector &f) override
+    {
+      work_.linearisation->apply(weights_, d, f);
+      f += r_;
+      return {};
+    }
+
+    void                  linearise(const Vector &) override {}
+    Linearisation        &linearisation() override { return *work_.linearisation; }
+    const WeightsByOrder &weights() const override { return weights_; }
+    bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
+
+  private:
+    Work               &work_;
+    WeightsByOrder      weights_;
+    const Vector       &r_;
+    std::vector<double> constrained_;
   };
 
   StageSolver::StageSolver(const IntegratorContext &context)
-    : problem_(std::make_unique<Problem>(context))
+    : work_(std::make_unique<Work>(context))
     , solver_(context.solver)
   {}
 
@@ -141,49 +246,35 @@ namespace myolines
 
   NonlinearReport StageSolver::solve(const Stage &stage, State &point, Vector &d)
   {
-    problem_->begin(stage, point, d);
-    const NonlinearReport report = solver_.solve(*problem_, d);
+    StageProblem          problem(*work_, stage, point, d);
+    const NonlinearReport report = solver_.solve(problem, d);
     if (report.converged)
-      {
-        point = problem_->point(d);
-        problem_->finish(point);
-      }
+      problem.finish(d);
     return report;
   }
 
-  StepReport StageSolver::step(const Stage &stage, State predictors, State &state)
+  StepReport StageSolver::step(const Stage &stage, State &predictors, Vector &d, State &state)
   {
-    Vector increment(state.u);
-    increment = 0;
+    d = 0;
     StepReport report;
-    record(solve(stage, predictors, increment), report);
+    record(solve(stage, predictors, d), report);
     if (report.accepted())
-      std::swap(state, predictors);
+      swap(state, predictors);
     return report;
   }
 
-  State starting_state(const SemiDiscreteSystem &system, const double t0, const BoundaryRates rates)
+  NonlinearReport StageSolver::solve_linear(const Weights &weights, const Vector &r, Vector &d)
   {
-    State state = system.initial_state(t0);
-    if (rates == BoundaryRates::scheme)
-      {
-        for (Vector *x : {&state.v, &state.a})
-          {
-            x->zero_out_ghost_values();
-            for (const auto &line : system.constraints().get_lines())
-              if (x->in_local_range(line.index))
-                (*x)(line.index) = 0;
-            x->update_ghost_values();
-          }
-      }
-    return state;
+    LinearProblem problem(*work_, weights, r, d);
+    return solver_.solve(problem, d);
   }
 
-  void start_piece(const IntegratorContext &context, State &state)
+  void StageSolver::apply(const Weights &weights, const Vector &x, Vector &y) const
   {
-    if (context.boundary_rates == BoundaryRates::exact)
-      context.system.prescribed(state.t, Side::right, state);
+    work_->linearisation->apply(stage_weights(weights.u, weights.v, weights.a), x, y);
   }
+
+  void StageSolver::linearise(const Point &point) { work_->linearise(point, false); }
 
   void record(const NonlinearReport &solve, StepReport &step)
   {
@@ -196,5 +287,14 @@ namespace myolines
     step.outcome          = solve.converged      ? StepReport::Outcome::accepted
                             : solve.inadmissible ? StepReport::Outcome::inadmissible
                                                  : StepReport::Outcome::not_converged;
+  }
+
+  void record(const Evaluation &evaluation, StepReport &step)
+  {
+    ++step.residual_evaluations;
+    if (evaluation.admissible)
+      return;
+    step.outcome = StepReport::Outcome::inadmissible;
+    step.reason  = evaluation.reason;
   }
 } // namespace myolines

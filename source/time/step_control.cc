@@ -135,6 +135,9 @@ namespace myolines
                                 .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}}, "Kind of step control."))
         .choice("boundary rates", "exact", {"exact", "scheme"},
                 "Velocity and acceleration of moving boundaries: derivatives of the prescribed motion, or the formulas of the integrator.")
+        .choice("start velocity", "consistent", {"consistent", "impulse"},
+                "Where a moving boundary starts or jumps to another velocity: the rest of the body keeps its velocity, or is given the "
+                "impulse of the consistent mass; with \"scheme\" rates and an impulse the boundary itself starts from rest.")
         .choice("events", "restart", {"restart", "land", "ignore"},
                 "Kinks of the drives: land on them and restart the integrator with right limits, land on them only, or ignore them.");
     return schema;
@@ -143,6 +146,11 @@ namespace myolines
   BoundaryRates boundary_rates(const scene::Node &time)
   {
     return time.text("boundary rates") == "exact" ? BoundaryRates::exact : BoundaryRates::scheme;
+  }
+
+  StartVelocity start_velocity(const scene::Node &time)
+  {
+    return time.text("start velocity") == "impulse" ? StartVelocity::impulse : StartVelocity::consistent;
   }
 
   std::vector<SchedulePiece> parse_schedule(const std::string &text, const scene::Node &node, const std::string &parameter)
@@ -155,8 +163,8 @@ namespace myolines
         long               count = 0;
         std::string        times, rest;
         double             size = 0;
-        if (!(words >> count >> times >> size) || times != "x" || (words >> rest) || count < 1 || count > 1000000000 || !(size > 0)
-            || !std::isfinite(size))
+        if (!(words >> count >> times >> size) || times != "x" || (words >> rest) || count < 1 || count > 1000000000 || !(size > 0) ||
+            !std::isfinite(size))
           node.refuse(parameter, "\"" + part + "\" is not a piece of a schedule",
                       "\"count x size\" with a positive count and a positive size [s]", "for example \"4 x 0.025; 8 x 0.0125\"");
         pieces.push_back({static_cast<unsigned int>(count), size});

@@ -38,14 +38,30 @@ namespace
 
 TEST_P(Every, failedStepLeavesTheStateAsItWas)
 {
-  // A stiff cubic spring, one Newton iteration: the step cannot converge.
   OscillatorParameters parameters = driven_duffing();
-  parameters.cubic_stiffness      = 1e4;
-  Experiment experiment(GetParam(), parameters, BoundaryRates::exact, {"maximum iterations=1", "relative tolerance=1e-12"});
+  parameters.force = std::make_shared<SmoothDrive>([](double t) { return t < 0.01 ? 1. : std::numeric_limits<double>::infinity(); },
+                                                   [](double) { return 0.; }, [](double) { return 0.; });
+  Experiment experiment(GetParam(), parameters);
   experiment.integrator->start(experiment.state);
   const std::vector<double> before = values(experiment.state);
   const StepReport          report = experiment.integrator->step(0.1, experiment.state);
-  EXPECT_FALSE(report.accepted());
+  EXPECT_EQ(report.outcome, StepReport::Outcome::inadmissible);
+  EXPECT_FALSE(report.reason.empty());
+  EXPECT_EQ(values(experiment.state), before);
+}
+
+TEST_P(Every, aStepThatDoesNotConvergeIsRefusedOrTakenWithoutIteration)
+{
+  // A stiff cubic spring, one Newton iteration: only a linearly implicit step can be taken.
+  OscillatorParameters parameters = driven_duffing();
+  parameters.cubic_stiffness      = 1e4;
+  Experiment experiment(GetParam(), parameters, BoundaryRates::exact, {}, {"maximum iterations=1", "relative tolerance=1e-12"});
+  experiment.integrator->start(experiment.state);
+  const std::vector<double> before = values(experiment.state);
+  const StepReport          report = experiment.integrator->step(0.1, experiment.state);
+  EXPECT_EQ(report.accepted(), GetParam().facts.name == "rosenbrock");
+  if (report.accepted())
+    return;
   EXPECT_FALSE(report.reason.empty());
   EXPECT_EQ(values(experiment.state), before);
 }
@@ -74,13 +90,15 @@ TEST_P(Every, countsItsWork)
 {
   Experiment experiment(GetParam(), driven_duffing());
   experiment.integrator->start(experiment.state);
-  const StepReport  report = experiment.integrator->step(0.1, experiment.state);
   const WorkLedger &ledger = experiment.solvers.ledger;
+  const WorkLedger  before = ledger;
+  const StepReport  report = experiment.integrator->step(0.1, experiment.state);
   ASSERT_TRUE(report.accepted()) << report.reason;
+  const auto counted = [&](const std::string &what) { return ledger.counted(what) - before.counted(what); };
   EXPECT_GE(report.newton_iterations, 1u);
-  EXPECT_EQ(report.newton_iterations, ledger.counted("newton iterations"));
-  EXPECT_EQ(report.linear_iterations, ledger.counted("linear iterations"));
-  EXPECT_EQ(report.residual_evaluations, ledger.counted("residual evaluations"));
+  EXPECT_EQ(report.newton_iterations, counted("newton iterations"));
+  EXPECT_EQ(report.linear_iterations, counted("linear iterations"));
+  EXPECT_GE(report.residual_evaluations, counted("residual evaluations"));
   EXPECT_LT(report.final_residual, 1e-12 * report.initial_residual);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../support/drives.h"
+#include "cases.h"
 
 #include <myolines/oscillator/oscillator_system.h>
 
@@ -10,11 +11,6 @@
 
 namespace myolines::testing
 {
-  struct Motion
-  {
-    double u, v;
-  };
-
   /// A problem with its closed form.
   struct Problem
   {
@@ -69,27 +65,5 @@ namespace myolines::testing
     p.cubic_stiffness = 2;
     all.push_back({"cubic spring", p, [](double t) { return duffing(2, t); }});
     return all;
-  }
-
-  /// Facts of a method from theory, for comparison with what the program does.
-  struct ClosedForm
-  {
-    /// Eigenvalue of one step for u' = lambda u (both of u and v), z = lambda dt.
-    std::function<std::complex<double>(std::complex<double> z)> amplification;
-    /// Leading global error of u'' + u = 0, u(0) = 1, u'(0) = 0 at T, divided by dt^order.
-    std::function<Motion(double T)> error;
-  };
-
-  /// By name of the method; a dynamic method that is registered and not here fails the suite.
-  inline const std::map<std::string, ClosedForm> &closed_forms()
-  {
-    static const std::map<std::string, ClosedForm> forms
-        = {// 1/(1 - z) = exp(z + z^2/2 + ...): the error grows like (T/2) lambda^2 e^(lambda T).
-           {"backward euler",
-            {[](std::complex<double> z) { return 1. / (1. - z); },
-             [](double T) {
-               return Motion{-T / 2 * std::cos(T), T / 2 * std::sin(T)};
-             }}}};
-    return forms;
   }
 } // namespace myolines::testing

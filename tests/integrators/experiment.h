@@ -2,6 +2,7 @@
 
 #include "../support/drives.h"
 #include "../support/solvers.h"
+#include "cases.h"
 
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/time/loop.h>
@@ -23,10 +24,10 @@ namespace myolines::testing
     static Overrides tight() { return {"relative tolerance=1e-13", "absolute tolerance=0"}; }
 
     Experiment(const IntegratorEntry &entry, OscillatorParameters parameters, const BoundaryRates rates = BoundaryRates::exact,
-               const Overrides &nonlinear = tight())
+               const Overrides &method = {}, const Overrides &nonlinear = tight())
       : solvers(nonlinear)
       , system(std::move(parameters), solvers.ledger)
-      , integrator(entry.make(node(entry.schema), IntegratorContext{system, solvers.nonlinear, rates, solvers.ledger}))
+      , integrator(entry.make(node(entry.schema, method), IntegratorContext{system, solvers.nonlinear, rates, solvers.ledger}))
       , state(system.initial_state(0))
     {}
 
@@ -49,12 +50,21 @@ namespace myolines::testing
     State                       state;
   };
 
-  inline std::vector<IntegratorEntry> registered(const bool dynamic)
+  /// A case with the method it belongs to.
+  struct Verified
   {
-    std::vector<IntegratorEntry> entries;
-    for (const IntegratorEntry &entry : integrator_registry())
-      if (entry.facts.dynamic == dynamic)
-        entries.push_back(entry);
-    return entries;
+    IntegratorEntry entry;
+    Case            facts;
+  };
+
+  inline std::vector<Verified> all_cases()
+  {
+    std::vector<Verified> all;
+    for (std::size_t i = 0; i < method_cases().size(); ++i)
+      for (const Case &c : method_cases()[i].cases)
+        all.push_back({integrator_registry()[i], c});
+    return all;
   }
+
+  inline void PrintTo(const Verified &verified, std::ostream *stream) { *stream << verified.facts.label; }
 } // namespace myolines::testing

@@ -29,9 +29,10 @@ namespace myolines
   /// How large a system will be, known before it is made.
   struct SizeEstimate
   {
-    double n_unknowns   = 0; ///< on all ranks
-    double bytes        = 0; ///< on each rank: system, assembled tangent, vectors of a run
-    double matrix_bytes = 0; ///< on each rank: the assembled tangent alone
+    double n_unknowns      = 0; ///< on all ranks
+    double bytes           = 0; ///< on each rank: system, stored tangent, vectors of a run
+    double matrix_bytes    = 0; ///< on each rank: the assembled tangent
+    double two_level_bytes = 0; ///< on each rank: patches and coarse level; 0: the system has no two levels
   };
 
   /// What a kind of system brings to scenes, help and templates.

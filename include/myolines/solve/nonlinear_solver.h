@@ -42,6 +42,9 @@ namespace myolines
     /// Solves from @p x; on failure x is unspecified. Each solve counts as a new step of the linear solver.
     NonlinearReport solve(NonlinearProblem &problem, Vector &x);
 
+    /// Drops what the linear solver has kept, before solves of another kind than the last ones.
+    void forget();
+
   private:
     class Implementation;
     std::unique_ptr<Implementation> implementation_;

@@ -23,6 +23,15 @@ namespace myolines
     Vector a;
   };
 
+  /// Without copies; std::swap would make three, as vectors have no move assignment.
+  inline void swap(State &left, State &right)
+  {
+    std::swap(left.t, right.t);
+    left.u.swap(right.u);
+    left.v.swap(right.v);
+    left.a.swap(right.a);
+  }
+
   /// Arguments of a residual. t is the instant of u, v, a and of the loads. Borrowed: the vectors outlive the point.
   struct Point
   {

@@ -23,13 +23,15 @@ namespace myolines
     std::string  stability;      ///< "L-stable", ...
     bool         dynamic = true; ///< false: ignores inertia and rates
 
+    /// The method needs accelerations of every unknown: it refuses systems without inertia and unknowns of order 0 or 1.
+    bool second_order_only = false;
+
     /// After load(): exact (bit-equal) or reinitialised (history is lost).
     enum class Restart
     {
       exact,
       reinitialise
-    } restart
-        = Restart::exact;
+    } restart = Restart::exact;
   };
 
   /// How the velocity and acceleration of moving boundaries are made.
@@ -37,6 +39,14 @@ namespace myolines
   {
     exact, ///< analytic derivatives of the prescribed motion
     scheme ///< the method's own difference formulas
+  };
+
+  /// What the free unknowns feel of a moving boundary that starts, or jumps to another velocity, at the beginning of a smooth
+  /// piece. The two are limits of the continuous problem as the jump becomes abrupt, and of none (errata 21).
+  enum class StartVelocity
+  {
+    consistent, ///< nothing: velocities of free unknowns stay as they are, the boundary has the right limit
+    impulse     ///< the impulse of the consistent mass; with scheme rates the boundary itself starts from rest
   };
 
   /// How a step ended. Failure is a value, never an exception.
@@ -68,6 +78,7 @@ namespace myolines
     NonlinearSolver          &solver;
     BoundaryRates             boundary_rates;
     WorkLedger               &ledger;
+    StartVelocity             start_velocity = StartVelocity::consistent;
   };
 
   /// One-step contract.
@@ -94,6 +105,9 @@ namespace myolines
     MethodFacts                                                                                facts;
     scene::Schema                                                                              schema;
     std::function<std::unique_ptr<Integrator>(const scene::Node &, const IntegratorContext &)> make;
+
+    /// What follows from the parameters, for `check`: coefficients, order, stability. Empty: nothing.
+    std::function<std::vector<std::string>(const scene::Node &)> derived;
   };
 
   /// All integrators of integrators/list.def, in its order.

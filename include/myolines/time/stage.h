@@ -4,23 +4,38 @@
 
 namespace myolines
 {
-  /// One implicit stage: find d with
+  /// One implicit stage: find d so that the values at its end,
   ///
-  ///     s R(t, u, v, a) + r* = 0,   (u, v, a) = (u~, v~, a~) + (c_u, c_v, c_a) d,   c_u != 0.
+  ///     (u, v, a) = (u~, v~, a~) + (c_u, c_v, c_a) d,   c_u != 0 or c_a != 0,
   ///
-  /// Constrained unknowns end at u_c = g(t). With exact boundary rates the predictors v~, a~
-  /// of constrained unknowns are shifted so that v_c = dg/dt, a_c = d2g/dt2 hold at the end; the map stays affine with
-  /// the same weights, so Newton's lift needs no special case. With scheme rates v_c, a_c follow the method's formulas.
+  /// satisfy s R + r* = 0, with R at the end of the stage or at an average with earlier values.
+  ///
+  /// Constrained unknowns end at u = g(t). With exact boundary rates their predictors are shifted so that v = dg/dt and
+  /// a = d2g/dt2 hold too; the map stays affine with the same weights, so Newton's lift needs no special case. With scheme
+  /// rates v and a follow the formulas of the method. A stage with c_u = 0 says nothing of the acceleration that leads to
+  /// g(t): its constrained unknowns take d2g/dt2 with either kind of rates, and v by the formula with scheme rates.
   struct Stage
   {
-    double        t    = 0; ///< instant of the stage [s]
+    double        t    = 0; ///< end of the stage [s]
     Side          side = Side::left;
     Weights       c;                 ///< c_u, c_v, c_a
     double        scale   = 1;       ///< s
     const Vector *history = nullptr; ///< r*, or none
+
+    /// The residual is evaluated at offset + weight * (end of the stage), component by component, with loads of instant t.
+    struct Average
+    {
+      double       t;
+      const State *offset;
+      Weights      weight;
+    };
+    const Average *average = nullptr; ///< none: at the end of the stage
+
+    /// False: constrained unknowns keep their predictors and g(t) plays no part.
+    bool prescribed = true;
   };
 
-  /// Solves stages for all one-step methods; owns the linearisation and the work vectors.
+  /// Solves stages for all methods; owns the linearisation and the work vectors.
   class StageSolver
   {
   public:
@@ -28,25 +43,34 @@ namespace myolines
     ~StageSolver();
 
     /// On entry @p point holds the predictors (u~, v~, a~) with t ignored, and @p d the initial guess (usually 0).
-    /// On success @p point is the stage value at stage.t and d the solution; on failure both are unspecified.
+    /// On success @p point is the end of the stage and d the solution; on failure both are unspecified.
     NonlinearReport solve(const Stage &stage, State &point, Vector &d);
 
-    /// A step that is one stage, solved from d = 0: @p state becomes its value if it is accepted, else stays as it is.
-    StepReport step(const Stage &stage, State predictors, State &state);
+    /// A step that is one stage, solved from d = 0: @p state becomes its end if it is accepted, else stays as it is.
+    /// @p predictors and @p d are unspecified afterwards, but d is the solution of an accepted step.
+    StepReport step(const Stage &stage, State &predictors, Vector &d, State &state);
+
+    /// J d + r = 0 with J = w.u K + w.v C + w.a M of the last linearise(); linearly implicit methods need no more. On entry
+    /// @p d holds values for the constrained unknowns (what they depend on is added) and 0 for the free ones.
+    NonlinearReport solve_linear(const Weights &weights, const Vector &r, Vector &d);
+
+    /// y = (w.u K + w.v C + w.a M) x of the last linearise().
+    void apply(const Weights &weights, const Vector &x, Vector &y) const;
+
+    /// Linearises the system at @p point, where its residual is admissible; a linear one only the first time.
+    void linearise(const Point &point);
 
   private:
-    class Problem;
-    std::unique_ptr<Problem> problem_;
-    NonlinearSolver         &solver_;
+    class Work;
+    class StageProblem;
+    class LinearProblem;
+    std::unique_ptr<Work> work_;
+    NonlinearSolver      &solver_;
   };
-
-  /// State at the beginning of a run, as the system gives it. With scheme rates prescribed unknowns start from v = a = 0, so that
-  /// a motion that starts with a velocity gives the body an impulse in the first step, as in the thesis (errata 21).
-  State starting_state(const SemiDiscreteSystem &system, double t0, BoundaryRates rates);
-
-  /// Beginning of a smooth piece: with exact boundary rates the prescribed unknowns of @p state take their right limits.
-  void start_piece(const IntegratorContext &context, State &state);
 
   /// Copies the verdict and the counts of a nonlinear solve into a step report, adding to counts already there.
   void record(const NonlinearReport &solve, StepReport &step);
+
+  /// The verdict of one residual evaluated outside the nonlinear solver, and its count.
+  void record(const Evaluation &evaluation, StepReport &step);
 } // namespace myolines

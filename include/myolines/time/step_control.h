@@ -33,10 +33,11 @@ namespace myolines
     virtual void load(const Archive &archive) = 0;
   };
 
-  /// Parameters of the list `time`: start, end, step or steps, control, boundary rates, events.
+  /// Parameters of the list `time`: start, end, step or steps, control, boundary rates, start velocity, events.
   scene::Schema time_schema();
 
   BoundaryRates boundary_rates(const scene::Node &time);
+  StartVelocity start_velocity(const scene::Node &time);
 
   /// Piece "count x size" of a schedule such as "4 x 0.025; 8 x 0.0125".
   struct SchedulePiece

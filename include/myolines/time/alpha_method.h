@@ -1,0 +1,57 @@
+#pragma once
+
+#include <myolines/time/integrator.h>
+
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// Coefficients of the generalized-alpha family in the convention of Chung and Hulbert (doi:10.1115/1.2900803), where
+  /// alpha_m and alpha_f weigh the beginning of a step:
+  ///
+  ///     u_1 = u_0 + dt v_0 + dt^2 ((1/2 - beta) a_0 + beta a_1),    v_1 = v_0 + dt ((1 - gamma) a_0 + gamma a_1),
+  ///     (1 - alpha_m) M a_1 + alpha_m M a_0 + F_f = 0,
+  ///
+  /// F_f the force between the ends, see ForceEvaluation. Newmark: alpha_m = alpha_f = 0; Hilber, Hughes and Taylor:
+  /// alpha_m = 0; Wood, Bossak and Zienkiewicz: alpha_f = 0.
+  struct AlphaCoefficients
+  {
+    double alpha_m = 0;    ///< < 1
+    double alpha_f = 0;    ///< < 1
+    double beta    = 0.25; ///< >= 0; 0: no stiffness in the matrix of a step
+    double gamma   = 0.5;  ///< >= 1/2 for stability
+
+    /// Second order with as much high-frequency damping as alpha_m, alpha_f allow: gamma = 1/2 - alpha_m + alpha_f,
+    /// beta = (1 - alpha_m + alpha_f)^2 / 4.
+    static AlphaCoefficients second_order(double alpha_m, double alpha_f);
+  };
+
+  /// F_f of a step; the two differ for nonlinear systems only.
+  enum class ForceEvaluation
+  {
+    weighted_end_forces, ///< (1 - alpha_f) F(t_1, u_1, v_1) + alpha_f F(t_0, u_0, v_0)
+    averaged_state       ///< F at (1 - alpha_f) (t_1, u_1, v_1) + alpha_f (t_0, u_0, v_0), also for prescribed unknowns
+  };
+
+  /// 2 if gamma = 1/2 - alpha_m + alpha_f, else 1.
+  unsigned int order(const AlphaCoefficients &coefficients);
+
+  /// Largest amplification per step of a mode whose frequency tends to infinity; infinite for beta = 0.
+  double spectral_radius_at_infinity(const AlphaCoefficients &coefficients);
+
+  /// Largest amplification per step of the velocity of a prescribed motion that follows the formulas (scheme rates).
+  double amplification_of_scheme_rates(const AlphaCoefficients &coefficients);
+
+  /// Coefficients, order and spectral radius in words, for `check`.
+  std::vector<std::string> describe(const AlphaCoefficients &coefficients);
+
+  /// One nonlinear solve per step, for the increment u_1 - u_0 from 0 (beta > 0) or for a_1. Starts from M a_0 = -F.
+  /// @throws InputError (at the parameters of @p integrator) if the system or the boundary rates do not fit.
+  std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, ForceEvaluation force, const MethodFacts &facts,
+                                                const scene::Node &integrator, const IntegratorContext &context);
+
+  /// The choice `force evaluation`, and what was chosen.
+  void            declare_force_evaluation(scene::Schema &schema, const std::string &fallback);
+  ForceEvaluation force_evaluation(const scene::Node &integrator);
+} // namespace myolines

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <myolines/algebra/vector.h>
+
+#include <initializer_list>
+
+namespace myolines
+{
+  struct Term
+  {
+    double        factor;
+    const Vector *x;
+  };
+
+  /// y = sum of factor x over the owned entries, in one pass and without temporaries. @p y has the layout of the x and may be
+  /// one of them. Ghosts of @p y are not updated.
+  inline void combine(Vector &y, const std::initializer_list<Term> terms)
+  {
+    double            *out  = y.begin();
+    const unsigned int size = y.locally_owned_size();
+    for (unsigned int i = 0; i < size; ++i)
+      {
+        double sum = 0;
+        for (const Term &term : terms)
+          sum += term.factor * term.x->begin()[i];
+        out[i] = sum;
+      }
+  }
+} // namespace myolines

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <myolines/time/stage.h>
+
+namespace myolines
+{
+  /// State at the beginning of a run, as the system gives it. With scheme rates and an impulse prescribed unknowns start from
+  /// v = a = 0, so that a motion that starts with a velocity gives the body an impulse in the first step, as in the thesis
+  /// (errata 21); with exact rates and an impulse v = 0 is what the boundary jumps from in start_piece().
+  State starting_state(const SemiDiscreteSystem &system, double t0, BoundaryRates rates, StartVelocity start_velocity);
+
+  /// Beginning of a smooth piece. Prescribed unknowns of @p state take their right limits, unless scheme rates and an impulse
+  /// are asked for. With exact rates and an impulse the velocities of the free unknowns jump too, M_ff dv_f = -M_fc dv_c, where
+  /// the system has inertia. @throws SolveError if the mass cannot be inverted.
+  void start_piece(const IntegratorContext &context, StageSolver &solver, State &state);
+
+  /// a of @p state from M a = -F(t, u, v), for methods that begin from accelerations; those of prescribed unknowns stay.
+  /// @throws SolveError if that cannot be solved.
+  void consistent_acceleration(const IntegratorContext &context, StageSolver &solver, Side side, State &state);
+
+  /// Refuses (InputError at the parameter type of @p integrator) a system that @p facts do not fit: one without inertia or
+  /// with unknowns of order 0 or 1 for a method that is second_order_only.
+  void require_fitting_system(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
+
+  /// Refuses scheme rates on constrained unknowns. With the parameters of @p integrator the formulas of the method make a
+  /// prescribed motion grow without bound: it acts like a spring of infinite stiffness on a method of limited stability.
+  void refuse_scheme_rates(const scene::Node &integrator, const IntegratorContext &context);
+} // namespace myolines

@@ -1,0 +1,119 @@
+#include <myolines/time/combination.h>
+#include <myolines/time/dirk.h>
+#include <myolines/time/start.h>
+
+namespace myolines
+{
+  namespace
+  {
+    MethodFacts facts()
+    {
+      MethodFacts facts;
+      facts.name      = "bdf2";
+      facts.summary   = "Backward differences of second order, for steps of any ratio up to 1 + sqrt(2); one nonlinear solve per step.";
+      facts.reference = "Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, doi:10.1007/978-3-540-78862-1, III.5";
+      facts.order     = 2;
+      facts.stability = "L-stable";
+      return facts;
+    }
+
+    /// With r the ratio of this step to the last one and D x = (1 + 2r)/(1 + r) (x_1 - x_0) - r^2/(1 + r) (x_0 - x_-1):
+    /// dt v_1 = D u, dt a_1 = D v, R(t_1, u_1, v_1, a_1) = 0. The first step of a smooth piece is one of a one-step method.
+    class Bdf2 : public Integrator
+    {
+    public:
+      Bdf2(const DirkTable &starter, const IntegratorContext &context)
+        : context_(context)
+        , solver_(context)
+        , starter_(starter, solver_)
+      {}
+
+      void start(State &state) override
+      {
+        start_piece(context_, solver_, state);
+        last_dt_ = 0;
+      }
+
+      StepReport step(const double dt, State &state) override
+      {
+        allocate(state);
+        combine(before_u_, {{1, &state.u}});
+        combine(before_v_, {{1, &state.v}});
+        StepReport report = last_dt_ == 0 ? starter_.step(dt, state) : go_on(dt, state);
+        if (!report.accepted())
+          return report;
+        if (last_dt_ == 0)
+          combine(last_du_, {{1, &state.u}, {-1, &before_u_}});
+        else
+          last_du_.swap(d_);
+        combine(last_dv_, {{1, &state.v}, {-1, &before_v_}});
+        last_dt_ = dt;
+        return report;
+      }
+
+      void save(Archive &archive) const override
+      {
+        archive.put("last step", last_dt_);
+        if (last_dt_ == 0)
+          return;
+        archive.put("last increment of u", last_du_);
+        archive.put("last increment of v", last_dv_);
+      }
+
+      void load(const Archive &archive) override
+      {
+        last_dt_ = archive.number("last step");
+        if (last_dt_ == 0)
+          return;
+        allocate(context_.system.initial_state(0));
+        archive.read("last increment of u", last_du_);
+        archive.read("last increment of v", last_dv_);
+      }
+
+    private:
+      void allocate(const State &state)
+      {
+        if (d_.size() != 0)
+          return;
+        for (Vector *x : {&d_, &last_du_, &last_dv_, &before_u_, &before_v_})
+          *x = state.u;
+        end_ = State{0, state.u, state.u, state.u};
+      }
+
+      StepReport go_on(const double dt, State &state)
+      {
+        const double ratio = dt / last_dt_;
+        const double c = (1 + 2 * ratio) / ((1 + ratio) * dt), memory = ratio * ratio / ((1 + ratio) * dt);
+        Stage        stage;
+        stage.t = state.t + dt;
+        stage.c = {1, c, c * c};
+        combine(end_.u, {{1, &state.u}});
+        combine(end_.v, {{-memory, &last_du_}});
+        combine(end_.a, {{-c * memory, &last_du_}, {-c, &state.v}, {-memory, &last_dv_}});
+        return solver_.step(stage, end_, d_, state);
+      }
+
+      const IntegratorContext context_;
+      StageSolver             solver_;
+      DirkStepper             starter_;
+      double                  last_dt_ = 0; ///< 0: nothing is remembered
+      Vector                  last_du_, last_dv_;
+      Vector                  d_, before_u_, before_v_;
+      State                   end_;
+    };
+  } // namespace
+
+  IntegratorEntry bdf2_entry()
+  {
+    IntegratorEntry entry;
+    entry.facts  = facts();
+    entry.schema = scene::Schema(entry.facts.summary);
+    entry.schema.choice("first step", "sdirk2", {"sdirk2", "backward euler"},
+                        "Method of the first step of every smooth piece; backward euler leaves an error of second order of its own.");
+    entry.make = [](const scene::Node &node, const IntegratorContext &context) -> std::unique_ptr<Integrator> {
+      require_fitting_system(facts(), node, context);
+      return std::make_unique<Bdf2>(node.text("first step") == "sdirk2" ? sdirk2_table() : DirkTable{{{1}}}, context);
+    };
+    return entry;
+  }
+} // namespace myolines

@@ -1,0 +1,37 @@
+#include <myolines/time/alpha_method.h>
+
+namespace myolines
+{
+  namespace
+  {
+    MethodFacts facts()
+    {
+      MethodFacts facts;
+      facts.name              = "hht alpha";
+      facts.summary           = "Hilber, Hughes and Taylor: Newmark's formulas with the force taken between the ends of a step.";
+      facts.reference         = "Hilber, Hughes and Taylor, doi:10.1002/eqe.4290050306; thesis (4.5.1)";
+      facts.order             = 2;
+      facts.stability         = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
+      facts.second_order_only = true;
+      return facts;
+    }
+
+    /// (1 + alpha) F_1 - alpha F_0 in the convention of the authors and of the thesis.
+    AlphaCoefficients coefficients(const scene::Node &node) { return AlphaCoefficients::second_order(0, -node.number("alpha")); }
+  } // namespace
+
+  IntegratorEntry hht_alpha_entry()
+  {
+    IntegratorEntry entry;
+    entry.facts  = facts();
+    entry.schema = scene::Schema(entry.facts.summary);
+    entry.schema.number("alpha", -0.1, "-", scene::Range::closed(-1. / 3, 0),
+                        "Weight of the force at the beginning of a step is -alpha; 0: average acceleration, -1/3: most damping.");
+    declare_force_evaluation(entry.schema, "weighted end forces");
+    entry.derived = [](const scene::Node &node) { return describe(coefficients(node)); };
+    entry.make    = [](const scene::Node &node, const IntegratorContext &context) {
+      return make_alpha_method(coefficients(node), force_evaluation(node), facts(), node, context);
+    };
+    return entry;
+  }
+} // namespace myolines

@@ -1,0 +1,70 @@
+#include <myolines/time/alpha_method.h>
+
+namespace myolines
+{
+  namespace
+  {
+    MethodFacts facts()
+    {
+      MethodFacts facts;
+      facts.name              = "newmark";
+      facts.summary           = "Newmark's family: accelerations between the ends of a step are interpolated with weights beta and gamma.";
+      facts.reference         = "Newmark, doi:10.1061/JMCEA3.0000098; thesis (4.4.4)";
+      facts.order             = 2;
+      facts.stability         = "unconditional for beta >= gamma/2 >= 1/4, without damping of high frequencies for gamma = 1/2";
+      facts.second_order_only = true;
+      return facts;
+    }
+
+    struct Preset
+    {
+      const char *name;
+      double      beta, gamma;
+      const char *summary;
+    };
+    constexpr Preset presets[] = {
+        {"average acceleration", 0.25, 0.5,
+         "beta = 1/4, gamma = 1/2, the trapezoidal rule: unconditionally stable, conserves the energy of linear systems."},
+        {"linear acceleration", 1. / 6, 0.5, "beta = 1/6, gamma = 1/2: stable for omega dt <= 2 sqrt(3)."},
+        {"fox goodwin", 1. / 12, 0.5, "beta = 1/12, gamma = 1/2: period error of fourth order; stable for omega dt <= sqrt(6)."},
+        {"central difference", 0, 0.5,
+         "beta = 0, gamma = 1/2, damping implicit: stable for omega dt <= 2; for a mass and damping matrix that is easily solved."},
+    };
+
+    AlphaCoefficients coefficients(const scene::Node &node)
+    {
+      const std::string name = node.text("preset");
+      for (const Preset &preset : presets)
+        if (preset.name == name)
+          return {0, 0, preset.beta, preset.gamma};
+      return {0, 0, node.number("beta"), node.number("gamma")};
+    }
+
+    scene::Schema schema()
+    {
+      using scene::Range;
+      std::vector<std::pair<std::string, scene::Schema>> alternatives;
+      for (const Preset &preset : presets)
+        alternatives.emplace_back(preset.name, scene::Schema(preset.summary));
+      scene::Schema own("beta and gamma as given here.");
+      own.number("beta", std::nullopt, "-", Range::closed(0, 2), "Weight of a_1 in u_1, in dt^2.")
+          .number("gamma", std::nullopt, "-", Range::closed(0.5, 2), "Weight of a_1 in v_1, in dt; 1/2 for second order.");
+      alternatives.emplace_back("own", own);
+      scene::Schema schema(facts().summary);
+      schema.variant("preset", "average acceleration", alternatives, "Member of the family.");
+      return schema;
+    }
+  } // namespace
+
+  IntegratorEntry newmark_entry()
+  {
+    IntegratorEntry entry;
+    entry.facts   = facts();
+    entry.schema  = schema();
+    entry.derived = [](const scene::Node &node) { return describe(coefficients(node)); };
+    entry.make    = [](const scene::Node &node, const IntegratorContext &context) {
+      return make_alpha_method(coefficients(node), ForceEvaluation::weighted_end_forces, facts(), node, context);
+    };
+    return entry;
+  }
+} // namespace myolines

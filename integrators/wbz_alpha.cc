@@ -1,0 +1,36 @@
+#include <myolines/time/alpha_method.h>
+
+namespace myolines
+{
+  namespace
+  {
+    MethodFacts facts()
+    {
+      MethodFacts facts;
+      facts.name              = "wbz alpha";
+      facts.summary           = "Wood, Bossak and Zienkiewicz: Newmark's formulas with the inertia taken between the ends of a step.";
+      facts.reference         = "Wood, Bossak and Zienkiewicz, doi:10.1002/nme.1620151011";
+      facts.order             = 2;
+      facts.stability         = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
+      facts.second_order_only = true;
+      return facts;
+    }
+
+    /// (1 - alpha) M a_1 + alpha M a_0, alpha <= 0.
+    AlphaCoefficients coefficients(const scene::Node &node) { return AlphaCoefficients::second_order(node.number("alpha"), 0); }
+  } // namespace
+
+  IntegratorEntry wbz_alpha_entry()
+  {
+    IntegratorEntry entry;
+    entry.facts  = facts();
+    entry.schema = scene::Schema(entry.facts.summary);
+    entry.schema.number("alpha", -0.1, "-", scene::Range::closed(-1, 0),
+                        "Weight of the acceleration at the beginning of a step; 0: average acceleration, -1: most damping.");
+    entry.derived = [](const scene::Node &node) { return describe(coefficients(node)); };
+    entry.make    = [](const scene::Node &node, const IntegratorContext &context) {
+      return make_alpha_method(coefficients(node), ForceEvaluation::weighted_end_forces, facts(), node, context);
+    };
+    return entry;
+  }
+} // namespace myolines

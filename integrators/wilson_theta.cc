@@ -1,0 +1,92 @@
+#include <myolines/time/combination.h>
+#include <myolines/time/start.h>
+
+#include <cmath>
+
+namespace myolines
+{
+  namespace
+  {
+    MethodFacts facts()
+    {
+      MethodFacts facts;
+      facts.name    = "wilson theta";
+      facts.summary = "Linear acceleration over theta dt, of which dt is kept; loads are met at t + theta dt, beyond the end of the step.";
+      facts.reference         = "Wilson, Farhoomand and Bathe, doi:10.1002/eqe.4290010305";
+      facts.order             = 2;
+      facts.stability         = "unconditional for theta >= (1 + sqrt(3))/2, overshoots at large steps";
+      facts.second_order_only = true;
+      return facts;
+    }
+
+    /// With linear acceleration between t_0 and t_0 + theta dt the values there are, in those at t_1 = t_0 + dt,
+    ///
+    ///     a_theta = (1 - theta) a_0 + theta a_1,   v_theta = v_0 + theta dt a_0 + theta^2 (v_1 - v_0 - dt a_0),
+    ///     u_theta = u_0 + theta dt v_0 + (theta dt)^2/2 a_0 + theta^3 (u_1 - u_0 - dt v_0 - dt^2/2 a_0),
+    ///
+    /// so that the unknown stays the increment u_1 - u_0, and prescribed unknowns are met at t_1.
+    class WilsonTheta : public Integrator
+    {
+    public:
+      WilsonTheta(const double theta, const IntegratorContext &context)
+        : theta_(theta)
+        , context_(context)
+        , solver_(context)
+      {}
+
+      void start(State &state) override
+      {
+        start_piece(context_, solver_, state);
+        consistent_acceleration(context_, solver_, Side::right, state);
+      }
+
+      StepReport step(const double dt, State &state) override
+      {
+        if (d_.size() == 0)
+          {
+            d_   = state.u;
+            end_ = offset_ = State{0, state.u, state.u, state.u};
+          }
+        combine(end_.u, {{1, &state.u}});
+        combine(end_.v, {{-2, &state.v}, {-dt / 2, &state.a}});
+        combine(end_.a, {{-6 / dt, &state.v}, {-2, &state.a}});
+
+        const double q = theta_, q2 = q * q, q3 = q2 * q;
+        combine(offset_.u, {{1 - q3, &state.u}, {(q - q3) * dt, &state.v}, {(q2 - q3) * dt * dt / 2, &state.a}});
+        combine(offset_.v, {{1 - q2, &state.v}, {(q - q2) * dt, &state.a}});
+        combine(offset_.a, {{1 - q, &state.a}});
+
+        const Stage::Average average{state.t + q * dt, &offset_, {q3, q2, q}};
+        Stage                stage;
+        stage.t       = state.t + dt;
+        stage.c       = {1, 3 / dt, 6 / (dt * dt)};
+        stage.average = &average;
+        return solver_.step(stage, end_, d_, state);
+      }
+
+      void save(Archive &) const override {}
+      void load(const Archive &) override {}
+
+    private:
+      const double            theta_;
+      const IntegratorContext context_;
+      StageSolver             solver_;
+      Vector                  d_;
+      State                   end_, offset_;
+    };
+  } // namespace
+
+  IntegratorEntry wilson_theta_entry()
+  {
+    IntegratorEntry entry;
+    entry.facts  = facts();
+    entry.schema = scene::Schema(entry.facts.summary);
+    entry.schema.number("theta", 1.4, "-", scene::Range::closed(1.37, 2), "Length of the collocation interval in steps.");
+    entry.make = [](const scene::Node &node, const IntegratorContext &context) {
+      require_fitting_system(facts(), node, context);
+      refuse_scheme_rates(node, context); // linear acceleration at a boundary, see Newmark
+      return std::make_unique<WilsonTheta>(node.number("theta"), context);
+    };
+    return entry;
+  }
+} // namespace myolines

@@ -1,0 +1,213 @@
+#include <myolines/time/alpha_method.h>
+#include <myolines/time/combination.h>
+#include <myolines/time/start.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    class AlphaMethod : public Integrator
+    {
+    public:
+      AlphaMethod(const AlphaCoefficients &c, const ForceEvaluation force, const IntegratorContext &context)
+        : c_(c)
+        , keeps_force_(c.alpha_f != 0 && force == ForceEvaluation::weighted_end_forces)
+        , averages_state_(c.alpha_f != 0 && force == ForceEvaluation::averaged_state)
+        , context_(context)
+        , solver_(context)
+      {}
+
+      void start(State &state) override
+      {
+        allocate(state);
+        start_piece(context_, solver_, state);
+        consistent_acceleration(context_, solver_, Side::right, state);
+        if (!keeps_force_)
+          return;
+        const Evaluation evaluation = force(state, Side::right, force_);
+        if (!evaluation.admissible)
+          throw SolveError("The force at the start cannot be computed: " + evaluation.reason + ".");
+      }
+
+      StepReport step(const double dt, State &state) override
+      {
+        allocate(state);
+        Stage stage;
+        stage.t     = state.t + dt;
+        stage.c     = predict(dt, state);
+        stage.scale = keeps_force_ ? 1 - c_.alpha_f : 1;
+
+        Stage::Average average{stage.t, &offset_, {1, 1, 1}};
+        if (c_.alpha_m != 0 || c_.alpha_f != 0)
+          {
+            set_average(dt, state, stage, average);
+            stage.average = &average;
+          }
+        if (keeps_force_)
+          {
+            combine(history_, {{c_.alpha_f, &force_}});
+            stage.history = &history_;
+          }
+        StepReport report = solver_.step(stage, end_, d_, state);
+        if (keeps_force_ && report.accepted())
+          keep_force(state, report);
+        return report;
+      }
+
+      void save(Archive &archive) const override
+      {
+        if (keeps_force_)
+          archive.put("force at the last step", force_);
+      }
+
+      void load(const Archive &archive) override
+      {
+        if (!keeps_force_)
+          return;
+        force_ = context_.system.initial_state(0).u;
+        archive.read("force at the last step", force_);
+      }
+
+    private:
+      void allocate(const State &state)
+      {
+        if (d_.size() != 0)
+          return;
+        d_ = state.u;
+        if (force_.size() == 0)
+          force_ = state.u;
+        history_ = state.u;
+        offset_  = State{0, state.u, state.u, state.u};
+        end_     = offset_;
+        zero_    = state.u;
+        zero_    = 0;
+        zero_.update_ghost_values();
+      }
+
+      /// Fills end_ with the predictors and returns the weights of d.
+      Weights predict(const double dt, const State &state)
+      {
+        const double beta = c_.beta, gamma = c_.gamma;
+        if (beta == 0)
+          {
+            combine(end_.u, {{1, &state.u}, {dt, &state.v}, {dt * dt / 2, &state.a}});
+            combine(end_.v, {{1, &state.v}, {dt * (1 - gamma), &state.a}});
+            end_.a = 0;
+            return {0, gamma * dt, 1};
+          }
+        combine(end_.u, {{1, &state.u}});
+        combine(end_.v, {{1 - gamma / beta, &state.v}, {dt * (1 - gamma / (2 * beta)), &state.a}});
+        combine(end_.a, {{-1 / (beta * dt), &state.v}, {1 - 1 / (2 * beta), &state.a}});
+        return {1, gamma / (beta * dt), 1 / (beta * dt * dt)};
+      }
+
+      /// With weighted forces the inertia is divided by the weight of the force at the end, which multiplies all of R.
+      void set_average(const double dt, const State &state, const Stage &stage, Stage::Average &average)
+      {
+        const double alpha_f = averages_state_ ? c_.alpha_f : 0;
+        combine(offset_.u, {{alpha_f, &state.u}});
+        combine(offset_.v, {{alpha_f, &state.v}});
+        combine(offset_.a, {{c_.alpha_m / stage.scale, &state.a}});
+        average.t      = stage.t - alpha_f * dt;
+        average.weight = {1 - alpha_f, 1 - alpha_f, (1 - c_.alpha_m) / stage.scale};
+      }
+
+      /// F(t, u, v) = R(t, u, v, 0).
+      Evaluation force(const State &state, const Side side, Vector &f) const
+      {
+        return context_.system.residual({state.t, side, state.u, state.v, zero_}, f);
+      }
+
+      /// The end was admissible when the stage was solved, so this evaluation is as well.
+      void keep_force(const State &state, StepReport &report)
+      {
+        record(force(state, Side::left, force_), report);
+        if (!report.accepted())
+          throw std::logic_error("an admissible state has become inadmissible: " + report.reason);
+      }
+
+      const AlphaCoefficients c_;
+      const bool              keeps_force_;
+      const bool              averages_state_;
+      const IntegratorContext context_;
+      StageSolver             solver_;
+      Vector                  d_, history_, zero_;
+      Vector                  force_; ///< F at the last step
+      State                   end_, offset_;
+    };
+
+    /// Larger modulus of the roots of x^2 - trace x + determinant.
+    double larger_root(const double trace, const double determinant)
+    {
+      const std::complex<double> root = std::sqrt(std::complex<double>(trace * trace / 4 - determinant));
+      return std::max(std::abs(trace / 2 + root), std::abs(trace / 2 - root));
+    }
+  } // namespace
+
+  AlphaCoefficients AlphaCoefficients::second_order(const double alpha_m, const double alpha_f)
+  {
+    const double x = 1 - alpha_m + alpha_f;
+    return {alpha_m, alpha_f, x * x / 4, 0.5 - alpha_m + alpha_f};
+  }
+
+  unsigned int order(const AlphaCoefficients &c) { return std::abs(c.gamma - (0.5 - c.alpha_m + c.alpha_f)) < 1e-12 ? 2 : 1; }
+
+  double amplification_of_scheme_rates(const AlphaCoefficients &c)
+  {
+    return c.beta == 0 ? 0 : larger_root(2 - (c.gamma + 0.5) / c.beta, 1 - (c.gamma - 0.5) / c.beta);
+  }
+
+  /// There u_1 = -alpha_f / (1 - alpha_f) u_0, and with u = 0 what is left is the recursion of v and a.
+  double spectral_radius_at_infinity(const AlphaCoefficients &c)
+  {
+    if (c.beta == 0)
+      return std::numeric_limits<double>::infinity();
+    return std::max(amplification_of_scheme_rates(c), std::abs(c.alpha_f / (1 - c.alpha_f)));
+  }
+
+  std::vector<std::string> describe(const AlphaCoefficients &c)
+  {
+    std::ostringstream coefficients, order_text, stability;
+    for (std::ostringstream *stream : {&coefficients, &stability})
+      stream->precision(12);
+    coefficients << "alpha_m = " << c.alpha_m << ", alpha_f = " << c.alpha_f << " (weights of the beginning of a step), beta = " << c.beta
+                 << ", gamma = " << c.gamma;
+    order_text << "order " << order(c) << " with these";
+    const double radius = spectral_radius_at_infinity(c);
+    // roots of modulus one in floating point may be double ones, with errors of half the digits
+    if (radius < 1 + 1e-7)
+      stability << "spectral radius at infinity " << radius << ", unconditionally stable for linear systems";
+    else
+      {
+        stability << "conditionally stable";
+        if (c.alpha_m == 0 && c.alpha_f == 0)
+          stability << ": omega dt <= " << 1 / std::sqrt(c.gamma / 2 - c.beta) << " without damping";
+      }
+    return {coefficients.str(), order_text.str(), stability.str()};
+  }
+
+  std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, const ForceEvaluation force,
+                                                const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  {
+    require_fitting_system(facts, integrator, context);
+    if (amplification_of_scheme_rates(coefficients) > 1 + 1e-7)
+      refuse_scheme_rates(integrator, context);
+    return std::make_unique<AlphaMethod>(coefficients, force, context);
+  }
+
+  void declare_force_evaluation(scene::Schema &schema, const std::string &fallback)
+  {
+    schema.choice("force evaluation", fallback, {"weighted end forces", "averaged state"},
+                  "Force between the ends of a step: a weighted sum of the forces at both, or the force at the averaged state.");
+  }
+
+  ForceEvaluation force_evaluation(const scene::Node &integrator)
+  {
+    return integrator.text("force evaluation") == "averaged state" ? ForceEvaluation::averaged_state : ForceEvaluation::weighted_end_forces;
+  }
+} // namespace myolines

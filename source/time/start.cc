@@ -1,0 +1,113 @@
+#include <myolines/time/combination.h>
+#include <myolines/time/start.h>
+
+#include <algorithm>
+
+namespace myolines
+{
+  namespace
+  {
+    /// Zeros in the constrained entries (@p constrained) or in the free ones.
+    void clear(const SemiDiscreteSystem &system, Vector &x, const bool constrained)
+    {
+      x.zero_out_ghost_values();
+      const Constraints &constraints = system.constraints();
+      for (const auto index : x.locally_owned_elements())
+        if (constraints.is_constrained(index) == constrained)
+          x(index) = 0;
+      x.update_ghost_values();
+    }
+
+    /// M x = r for the free unknowns, with the constrained ones of @p x given: as a stage whose unknown is the acceleration.
+    void solve_mass(const IntegratorContext &context, StageSolver &solver, const Side side, const Vector *history, State &point,
+                    const std::string &what)
+    {
+      Stage stage;
+      stage.t          = point.t;
+      stage.side       = side;
+      stage.c          = {0, 0, 1};
+      stage.history    = history;
+      stage.prescribed = false;
+      Vector d(point.a);
+      d                            = 0;
+      const NonlinearReport report = solver.solve(stage, point, d);
+      context.solver.forget(); // the weights of the steps to come are others
+      if (!report.converged)
+        throw SolveError("The " + what + " cannot be computed: " + report.reason + ".");
+    }
+
+    /// dv = (velocities after the jump of the boundary) - (before), M_ff dv_f = -M_fc dv_c; on entry dv_f = 0.
+    void add_impulse(const IntegratorContext &context, StageSolver &solver, const Vector &jump, State &state)
+    {
+      State  point{state.t, state.u, state.v, jump};
+      Vector others(state.u); // R without M a, to be taken away
+      Vector zero(state.u);
+      zero = 0;
+      zero.update_ghost_values();
+      const Evaluation evaluation = context.system.residual({state.t, Side::right, state.u, state.v, zero}, others);
+      if (!evaluation.admissible)
+        throw SolveError("The impulse of the moving boundary cannot be computed: " + evaluation.reason + ".");
+      others *= -1;
+      solve_mass(context, solver, Side::right, &others, point, "impulse of the moving boundary");
+      clear(context.system, point.a, true);
+      combine(state.v, {{1, &state.v}, {1, &point.a}});
+      state.v.update_ghost_values();
+    }
+  } // namespace
+
+  State starting_state(const SemiDiscreteSystem &system, const double t0, const BoundaryRates rates, const StartVelocity start_velocity)
+  {
+    State state = system.initial_state(t0);
+    if (start_velocity == StartVelocity::consistent)
+      return state;
+    clear(system, state.v, true);
+    if (rates == BoundaryRates::scheme)
+      clear(system, state.a, true);
+    return state;
+  }
+
+  void start_piece(const IntegratorContext &context, StageSolver &solver, State &state)
+  {
+    const bool impulse = context.start_velocity == StartVelocity::impulse;
+    if (impulse && context.boundary_rates == BoundaryRates::scheme)
+      return;
+    Vector jump(state.v);
+    context.system.prescribed(state.t, Side::right, state);
+    combine(jump, {{1, &state.v}, {-1, &jump}});
+    jump.update_ghost_values();
+    if (impulse && context.system.capabilities().inertia && jump.linfty_norm() > 0)
+      add_impulse(context, solver, jump, state);
+  }
+
+  void consistent_acceleration(const IntegratorContext &context, StageSolver &solver, const Side side, State &state)
+  {
+    State point = state;
+    clear(context.system, point.a, false);
+    solve_mass(context, solver, side, nullptr, point, "initial acceleration");
+    state.a.swap(point.a);
+  }
+
+  void require_fitting_system(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  {
+    const Capabilities capabilities = context.system.capabilities();
+    if (!facts.second_order_only)
+      return;
+    const std::string advice = "backward euler, bdf2, tr-bdf2, sdirk2 and sdirk3 do without";
+    if (!capabilities.inertia)
+      integrator.refuse("type", "\"" + facts.name + "\" needs accelerations, but the system has no inertia",
+                        "a method that does without, or a system with inertia", advice);
+    if (capabilities.orders != std::vector<unsigned int>{2})
+      integrator.refuse("type", "\"" + facts.name + "\" is for unknowns of second order in time only, and the system has others",
+                        "a method for unknowns of every order", advice);
+  }
+
+  void refuse_scheme_rates(const scene::Node &integrator, const IntegratorContext &context)
+  {
+    if (context.boundary_rates == BoundaryRates::scheme && context.system.constraints().n_constraints() > 0)
+      integrator.refuse("type",
+                        "with these parameters the velocity of a moving boundary grows without bound under \"boundary rates\" = "
+                        "\"scheme\"",
+                        "\"time/boundary rates\" = \"exact\"",
+                        "or a method that is unconditionally stable: a prescribed motion acts like an infinitely stiff spring");
+  }
+} // namespace myolines

@@ -1,0 +1,24 @@
+#include "cases.h"
+
+namespace myolines::testing
+{
+  std::vector<Case> generalized_alpha_cases()
+  {
+    const auto from = [](const std::string &label, const Overrides &parameters, const double radius) {
+      const double m = (2 * radius - 1) / (radius + 1), f = radius / (radius + 1), x = 1 - m + f;
+      Case         c = alpha_case("generalized_alpha_" + label, parameters, m, f, x * x / 4, 0.5 - m + f);
+      if (label == "half_end_forces")
+        c.history = {{"force at the last step", 2}};
+      return c;
+    };
+    const std::string radius = "spectral radius at infinity=", end_forces = "force evaluation=weighted end forces";
+    return {from("default", {}, 0.8),
+            from("half", {"given by=spectral radius", radius + "0.5"}, 0.5),
+            from("half_end_forces", {radius + "0.5", end_forces}, 0.5),
+            from("annihilating", {radius + "0"}, 0),
+            from("conserving", {radius + "1"}, 1),
+            from("coefficients_chung_hulbert", {"given by=coefficients", "alpha m=0", "alpha f=0.3333333333333333"}, 0.5),
+            from("coefficients_jansen_whiting_hulbert",
+                 {"given by=coefficients", "alpha m=1", "alpha f=0.6666666666666667", "convention=jansen whiting hulbert"}, 0.5)};
+  }
+} // namespace myolines::testing

@@ -1,0 +1,6 @@
+#include "cases.h"
+
+namespace myolines::testing
+{
+  std::vector<Case> rosenbrock_cases() { return {second_order_l_stable_case("rosenbrock")}; }
+} // namespace myolines::testing

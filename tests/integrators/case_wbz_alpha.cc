@@ -1,0 +1,12 @@
+#include "cases.h"
+
+namespace myolines::testing
+{
+  std::vector<Case> wbz_alpha_cases()
+  {
+    const auto wbz = [](const std::string &label, const double alpha) {
+      return alpha_case("wbz_alpha_" + label, {"alpha=" + std::to_string(alpha)}, alpha, 0, (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha);
+    };
+    return {wbz("default", -0.1), wbz("strong", -0.5)};
+  }
+} // namespace myolines::testing

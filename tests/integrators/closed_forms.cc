@@ -1,0 +1,117 @@
+#include "cases.h"
+
+#include <cmath>
+
+namespace myolines::testing
+{
+#define MYOLINES_INTEGRATOR(name) std::vector<Case> name##_cases();
+#include "../../integrators/list.def"
+#undef MYOLINES_INTEGRATOR
+
+  const std::vector<MethodCases> &method_cases()
+  {
+    static const std::vector<MethodCases> all = {
+#define MYOLINES_INTEGRATOR(name) MethodCases{#name, name##_cases()},
+#include "../../integrators/list.def"
+#undef MYOLINES_INTEGRATOR
+    };
+    return all;
+  }
+
+  Polynomial from_roots(const std::vector<std::complex<double>> &roots)
+  {
+    std::vector<std::complex<double>> coefficients = {1.};
+    for (const std::complex<double> root : roots)
+      {
+        coefficients.push_back(0.);
+        for (std::size_t i = coefficients.size() - 1; i > 0; --i)
+          coefficients[i] -= root * coefficients[i - 1];
+      }
+    Polynomial real;
+    for (std::size_t i = 1; i < coefficients.size(); ++i)
+      real.push_back(coefficients[i].real());
+    return real;
+  }
+
+  namespace
+  {
+    double determinant(const Matrix3 &a)
+    {
+      return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
+             a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+    }
+
+    /// Columns of @p l replaced by those of @p r where the mask has a bit.
+    Matrix3 mixed(const Matrix3 &l, const Matrix3 &r, const unsigned int mask)
+    {
+      Matrix3 m = l;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          if ((mask >> j & 1) != 0)
+            m[i][j] = r[i][j];
+      return m;
+    }
+  } // namespace
+
+  Polynomial from_pencil(const Matrix3 &l, const Matrix3 &r)
+  {
+    // the determinant is linear in every column
+    std::vector<double> sums(4);
+    for (unsigned int mask = 0; mask < 8; ++mask)
+      {
+        const unsigned int n = (mask & 1) + (mask >> 1 & 1) + (mask >> 2 & 1);
+        sums[n] += (n % 2 == 0 ? 1 : -1) * determinant(mixed(l, r, mask));
+      }
+    return {sums[1] / sums[0], sums[2] / sums[0], sums[3] / sums[0]};
+  }
+
+  Case runge_kutta_case(const std::string &label, const unsigned int order,
+                        std::function<std::complex<double>(std::complex<double>)> stability, const double error_constant)
+  {
+    Case c;
+    c.label      = label;
+    c.order      = order;
+    c.polynomial = [stability](const double w, const double xi) {
+      const std::complex<double> z(-xi * w, std::sqrt(1 - xi * xi) * w);
+      return from_roots({stability(z), std::conj(stability(z))});
+    };
+    c.error = [order, error_constant](const double T) {
+      const std::complex<double> i(0, 1), u = T * error_constant * std::pow(i, order + 1) * std::exp(i * T);
+      return Motion{u.real(), (i * u).real()};
+    };
+    return c;
+  }
+
+  Case second_order_l_stable_case(const std::string &label)
+  {
+    const double d = 1 - 1 / std::sqrt(2.);
+    return runge_kutta_case(
+        label, 2, [d](std::complex<double> z) { return (1. + (1 - 2 * d) * z) / ((1. - d * z) * (1. - d * z)); },
+        d * d * (3 - 2 * d) - 1. / 6);
+  }
+
+  /// Eigenvectors e^(y n) with y = i W (1 - kappa W^2), W = omega dt, for second order; the leading terms of y and of v/u follow
+  /// from the three equations by expansion in y.
+  Case alpha_case(const std::string &label, const Overrides &parameters, const double alpha_m, const double alpha_f, const double beta,
+                  const double gamma)
+  {
+    Case c;
+    c.label        = label;
+    c.parameters   = parameters;
+    const double g = gamma - 0.5, s = alpha_m - alpha_f;
+    c.order      = std::abs(g + s) < 1e-12 ? 2 : 1;
+    c.steps      = c.order == 2 ? 100 : 1600;
+    c.polynomial = [=](const double w, const double xi) {
+      // (u, dt v, dt^2 a)
+      const double x = 2 * xi * w, k = w * w, m = alpha_m, f = alpha_f;
+      return from_pencil({{1, 0, -beta}, {0, 1, -gamma}, {k * (1 - f), x * (1 - f), 1 - m}},
+                         {{1, 1, 0.5 - beta}, {0, 1, 1 - gamma}, {-k * f, -x * f, -m}});
+    };
+    const double kappa = (beta - 1. / 12 - g * alpha_f) / 2, lambda = kappa + 1. / 6 - beta + g / 2, decay = (g + s) / 2;
+    if (c.order == 2)
+      c.error = [=](const double T) { return Motion{kappa * T * std::sin(T), kappa * T * std::cos(T) + lambda * std::sin(T)}; };
+    else
+      c.error = [=](const double T) { return Motion{-decay * T * std::cos(T) + decay * std::sin(T), decay * T * std::sin(T)}; };
+    return c;
+  }
+} // namespace myolines::testing

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "experiment.h"
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+namespace myolines::testing
+{
+  using Matrix = dealii::LAPACKFullMatrix<double>;
+
+  inline void take_step(Integrator &integrator, State &state)
+  {
+    const StepReport report = integrator.step(1, state);
+    if (!report.accepted())
+      throw std::runtime_error(report.reason);
+  }
+
+  /// Transition matrix of one step of size 1 for u'' + 2 xi w u' + w^2 u = 0 in the variables (u, v/s, a/s^2, history), s =
+  /// max(1, w), as the method takes it: from each unit vector.
+  inline Matrix transition_matrix(const Verified &method, const double w, const double xi)
+  {
+    const double         s     = std::max(1., w);
+    const auto          &names = method.facts.history;
+    const unsigned int   n     = 3 + names.size();
+    OscillatorParameters parameters;
+    parameters.damping   = 2 * xi * w;
+    parameters.stiffness = w * w;
+
+    const auto scale = [&](const unsigned int i) { return std::pow(s, i < 3 ? i : names[i - 3].second); };
+    Matrix     matrix(n, n);
+    for (unsigned int column = 0; column < n; ++column)
+      {
+        Experiment experiment(method.entry, parameters, BoundaryRates::exact, method.facts.parameters);
+        State     &state = experiment.state;
+        experiment.integrator->start(state);
+        if (!names.empty()) // a first step makes the history, and remembers its own size
+          take_step(*experiment.integrator, state);
+        Vector zero(state.u);
+        zero    = 0;
+        state.u = state.v = state.a = zero;
+        const auto unit             = [&](const unsigned int i) {
+          Vector x(zero);
+          x(0) = column == i ? scale(i) : 0;
+          return x;
+        };
+        state.u = unit(0);
+        state.v = unit(1);
+        state.a = unit(2);
+
+        Archive archive, after;
+        experiment.integrator->save(archive);
+        for (unsigned int i = 0; i < names.size(); ++i)
+          archive.put(names[i].first, unit(3 + i));
+        experiment.integrator->load(archive);
+        take_step(*experiment.integrator, state);
+        experiment.integrator->save(after);
+        std::vector<double> values = {state.u(0), state.v(0), state.a(0)};
+        for (const auto &[name, differential_order] : names)
+          values.push_back(after.number(name));
+        for (unsigned int row = 0; row < n; ++row)
+          matrix(row, column) = values[row] / scale(row);
+      }
+    return matrix;
+  }
+
+  /// Without the leading 1, by the recursion of Faddeev and LeVerrier, which needs no eigenvalues and so no care where they meet.
+  inline Polynomial characteristic_polynomial(const Matrix &a)
+  {
+    const unsigned int         n = a.m();
+    dealii::FullMatrix<double> matrix(n, n), power(n, n), next(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        matrix(i, j) = power(i, j) = a(i, j);
+    Polynomial p;
+    for (unsigned int k = 1; k <= n; ++k)
+      {
+        p.push_back(-power.trace() / k);
+        for (unsigned int i = 0; i < n; ++i)
+          power(i, i) += p.back();
+        matrix.mmult(next, power);
+        power = next;
+      }
+    return p;
+  }
+
+  /// Of largest modulus, with non-negative imaginary part.
+  inline std::complex<double> principal_root(const Polynomial &p)
+  {
+    const unsigned int n = p.size();
+    Matrix             companion(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      companion(0, j) = -p[j];
+    for (unsigned int i = 1; i < n; ++i)
+      companion(i, i - 1) = 1;
+    companion.compute_eigenvalues();
+    std::complex<double> largest = 0;
+    for (unsigned int i = 0; i < n; ++i)
+      if (std::abs(companion.eigenvalue(i)) > std::abs(largest))
+        largest = companion.eigenvalue(i);
+    return {largest.real(), std::abs(largest.imag())};
+  }
+} // namespace myolines::testing
