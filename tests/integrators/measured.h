@@ -56,7 +56,11 @@ namespace myolines::testing
         experiment.integrator->save(after);
         std::vector<double> values = {state.u(0), state.v(0), state.a(0)};
         for (const auto &[name, differential_order] : names)
-          values.push_back(after.number(name));
+          {
+            Vector history(zero);
+            after.read(name, history);
+            values.push_back(history(0));
+          }
         for (unsigned int row = 0; row < n; ++row)
           matrix(row, column) = values[row] / scale(row);
       }
