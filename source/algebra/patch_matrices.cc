@@ -103,7 +103,7 @@ namespace myolines
     dealii::AlignedVector<double> matrix(std::size_t(largest_) * (largest_ + 1) / 2 * n_lanes), column(largest_ * n_lanes);
     for (const Group &group : groups_)
       {
-        float *entries = &entries_[group.entries];
+        float *entries = entries_.data() + group.entries;
         std::copy_n(entries, at(group.n, 0, 0), matrix.begin());
         for (unsigned int lane = 0; lane < n_lanes; ++lane)
           for (unsigned int i = group.size[lane]; i < group.n; ++i) // rows that this lane does not have
@@ -137,7 +137,7 @@ namespace myolines
     double                      *to   = z.begin();
     for (const Group &group : groups_)
       {
-        const unsigned int *unknown = &unknowns_[group.unknowns];
+        const unsigned int *unknown = unknowns_.data() + group.unknowns;
         for (unsigned int lane = 0; lane < group.n_filled; unknown += group.size[lane], ++lane)
           {
             for (unsigned int i = 0; i < group.size[lane]; ++i)
@@ -145,8 +145,8 @@ namespace myolines
             for (unsigned int i = group.size[lane]; i < group.n; ++i)
               x[i * n_lanes + lane] = 0;
           }
-        kernels_->multiply(group.n, &entries_[group.entries], x, y);
-        unknown = &unknowns_[group.unknowns];
+        kernels_->multiply(group.n, entries_.data() + group.entries, x, y);
+        unknown = unknowns_.data() + group.unknowns;
         for (unsigned int lane = 0; lane < group.n_filled; unknown += group.size[lane], ++lane)
           for (unsigned int i = 0; i < group.size[lane]; ++i)
             to[unknown[i]] += y[i * n_lanes + lane];

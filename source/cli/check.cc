@@ -86,6 +86,8 @@ namespace myolines
         << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
     for (const std::string &line : experiment.assembled().plan)
       out << "  " << line << "\n";
+    for (const std::string &line : experiment.solver_plan())
+      out << "  " << line << "\n";
     for (const std::string &line : memory_lines(experiment.scene()))
       out << "  " << line << "\n";
     print_method(experiment, out);

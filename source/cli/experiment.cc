@@ -41,7 +41,9 @@ namespace myolines
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
     refuse_ignored_inertia();
-    control_                = make_step_control(scene_.section("time"));
+    solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
+                                      *assembled_.system->make_linearisation(), assembled_.system->n_unknowns());
+    control_     = make_step_control(scene_.section("time"));
     const scene::Node &time = scene_.section("time");
     integrator_             = method_.make(scene_.section("integrator"),
                                            IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time)});

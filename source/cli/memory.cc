@@ -1,10 +1,12 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/memory.h>
+#include <myolines/solve/preconditioner.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -27,18 +29,14 @@ namespace myolines
     /// for 107,811. A hierarchy takes at most what its matrix takes.
     double preconditioner_bytes(const scene::Node &preconditioner, const SizeEstimate &size, const double ranks)
     {
-      const std::string type    = preconditioner.text("type");
+      const std::string wanted  = preconditioner.text("type");
+      const std::string type    = wanted == "automatic"
+                                      ? automatic_choice(preconditioner, static_cast<std::size_t>(std::min(size.n_unknowns, 1e18)), size.two_level_bytes > 0)
+                                      : wanted;
       const double      factors = 560 * std::pow(size.n_unknowns, 4. / 3) / ranks;
       if (type == "direct")
         return size.matrix_bytes + factors;
-      if (type == "p multigrid")
-        return size.two_level_bytes;
-      if (type != "automatic")
-        return 2 * size.matrix_bytes;
-      const bool two_levels = size.two_level_bytes > 0;
-      if (size.n_unknowns <= preconditioner.integer(two_levels ? "direct up to" : "direct without levels up to"))
-        return size.matrix_bytes + factors;
-      return two_levels ? size.two_level_bytes : 2 * size.matrix_bytes;
+      return type == "p multigrid" ? size.two_level_bytes : 2 * size.matrix_bytes;
     }
 
     Need need(const scene::Node &scene)

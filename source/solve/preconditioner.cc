@@ -47,16 +47,22 @@ namespace myolines
           .integer("direct without levels up to", 120000, scene::Range::not_negative(),
                    "The same if ml is the other choice; the factors of 107,811 unknowns of a muscle take 3 GB.");
       entry.make = [](const scene::Node &node, const PreconditionerContext &context) -> std::unique_ptr<Preconditioner> {
-        const long limit = node.integer(context.two_levels ? "direct up to" : "direct without levels up to");
-        if (context.n_unknowns <= static_cast<std::size_t>(limit))
+        const std::string choice = automatic_choice(node, context.n_unknowns, context.two_levels);
+        if (choice == "direct")
           return make_direct();
-        if (context.two_levels)
+        if (choice == "p multigrid")
           return make_p_multigrid(context.ledger);
         return make_ml();
       };
       return entry;
     }
   } // namespace
+
+  std::string automatic_choice(const scene::Node &options, const std::size_t n_unknowns, const bool two_levels)
+  {
+    const long limit = options.integer(two_levels ? "direct up to" : "direct without levels up to");
+    return n_unknowns <= static_cast<std::size_t>(limit) ? "direct" : two_levels ? "p multigrid" : "ml";
+  }
 
   PreconditionerEntry jacobi_preconditioner_entry()
   {

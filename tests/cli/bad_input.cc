@@ -35,6 +35,7 @@ namespace
       {"unknown_system", o, "\"oscillator\"", "\"ocillator\"", "nearest valid name: \"oscillator\""},
       {"missing_system", o, R"(<Parameter name="type" type="string" value="oscillator"/>)", "", "system/type"},
       {"unknown_integrator", o, "\"backward euler\"", "\"forward euler\"", "nearest valid name: \"backward euler\""},
+      command("preconditioner_without_levels", "check scene.xml --set \"solver/preconditioner/type=p multigrid\"", "needs a coarser level"),
       {"unknown_list", o, "name=\"integrator\"", "name=\"integrater\"", "nearest valid name: \"integrator\""},
       {"misspelt", o, "name=\"mass\"", "name=\"mas\"", "nearest valid name: \"mass\""},
       {"unknown_parameter", m, "name=\"refinement\" type=\"int\"", "name=\"colour\" type=\"string\"",

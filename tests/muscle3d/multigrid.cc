@@ -123,6 +123,20 @@ namespace myolines
       EXPECT_LT(expected.l2_norm(), 1e-3 * x.l2_norm());
     }
 
+    TEST(PMultigridSolver, AssemblesNoMatrixAndSmoothsOnTheLeanQuadrature)
+    {
+      for (const unsigned int n_points : {3u, 5u})
+        {
+          Problem problem({2, n_points, 1, 1, 1e7, false, true, 0});
+          EXPECT_TRUE(problem.solve("p multigrid", "automatic", 1e-3).first.converged);
+          EXPECT_EQ(problem.ledger.counted("matrix assemblies"), 0u);
+          EXPECT_EQ(problem.ledger.counted("patch assemblies"), 1u);
+          EXPECT_EQ(problem.ledger.counted("indefinite patches"), 0u);
+          EXPECT_EQ(problem.ledger.counted("stored tangents"), n_points == 3 ? 1u : 2u);
+          EXPECT_EQ(problem.ledger.counted("lean tangent actions") > 0, n_points == 5);
+        }
+    }
+
     TEST(PMultigridSolver, IsReproducible)
     {
       Vector first;

@@ -22,7 +22,11 @@ namespace myolines
     const AssembledSystem &assembled() const { return assembled_; }
     const MethodFacts     &method() const { return method_.facts; }
     const LoopSettings    &settings() const { return settings_; }
-    WorkLedger            &ledger() { return ledger_; }
+
+    /// How linear systems are solved, in words.
+    const std::vector<std::string> &solver_plan() const { return solver_plan_; }
+
+    WorkLedger &ledger() { return ledger_; }
 
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.
     void resume(const Checkpoint &checkpoint);
@@ -46,5 +50,6 @@ namespace myolines
     std::unique_ptr<Integrator>  integrator_;
     std::unique_ptr<StepControl> control_;
     std::optional<State>         resumed_;
+    std::vector<std::string>     solver_plan_;
   };
 } // namespace myolines

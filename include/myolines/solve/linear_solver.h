@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace myolines
 {
@@ -36,6 +37,10 @@ namespace myolines
     /// Parameters of the lists `solver/linear` and `solver/preconditioner`.
     static scene::Schema linear_schema();
     static scene::Schema preconditioner_schema();
+
+    /// What the lists choose for a system, in words. @throws InputError if the preconditioner does not fit the system.
+    static std::vector<std::string> plan(const scene::Node &linear, const scene::Node &preconditioner, const Linearisation &linearisation,
+                                         std::size_t n_unknowns);
 
     LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger);
     ~LinearSolver();

@@ -62,6 +62,9 @@ namespace myolines
   /// All preconditioners: automatic, p multigrid, ml, jacobi, direct.
   const std::vector<PreconditionerEntry> &preconditioner_registry();
 
+  /// The preconditioner that "automatic" with these options takes.
+  std::string automatic_choice(const scene::Node &options, std::size_t n_unknowns, bool two_levels);
+
   std::unique_ptr<MatrixPreconditioner> make_direct();
   std::unique_ptr<MatrixPreconditioner> make_ml(); ///< with its defaults
   std::unique_ptr<Preconditioner>       make_p_multigrid(WorkLedger &ledger);
