@@ -4,6 +4,7 @@
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/outputs.h>
+#include <myolines/rod1d/rod1d_system.h>
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/time/step_control.h>
 
@@ -56,6 +57,11 @@ namespace myolines
       return assemble(std::make_unique<OscillatorSystem>(read_oscillator(node), ledger), ledger);
     }
 
+    AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger)
+    {
+      return assemble(std::make_unique<Rod1dSystem>(read_rod1d(node), ledger), ledger);
+    }
+
     std::vector<SystemEntry> make_catalogue()
     {
       const std::vector<scene::Setting> isometric{{"title", "Isometric contraction of a pennate block"},
@@ -74,7 +80,14 @@ namespace myolines
                                                   {"time/end", "0.2"},
                                                   {"time/step", "0.025"}};
       const std::vector<scene::Setting> swinging{{"title", "Free oscillation"}, {"time/end", "10"}, {"time/step", "0.1"}};
+      const std::vector<scene::Setting> stretched{{"title", "Stretching an elastic rod"},
+                                                  {"system/profile/type", "smooth step"},
+                                                  {"system/profile/amplitude", "0.1"},
+                                                  {"system/profile/duration", "2"},
+                                                  {"time/end", "2"},
+                                                  {"time/step", "0.001"}};
       return {{"muscle 3d", muscle3d_schema(), muscle3d_output_schema(), isometric, {{"system/inertia", "quasi-static"}}, make_muscle3d},
+              {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {}, make_rod1d},
               {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator}};
     }
 

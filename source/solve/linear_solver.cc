@@ -97,10 +97,12 @@ namespace myolines
       , restart_(linear.integer("restart"))
       , every_step_(preconditioner.text("rebuild") == "every step")
       , slow_iterations_(preconditioner.integer("slow iterations"))
+      , automatic_(preconditioner.text("type") == "automatic")
       , node_(preconditioner)
       , ledger_(ledger)
     {}
 
+    bool automatic() const { return automatic_; }
     void new_step() { outdated_ = outdated_ || every_step_; }
     void forget() { preconditioner_.reset(); }
 
@@ -119,6 +121,7 @@ namespace myolines
     const unsigned int restart_;
     const bool         every_step_;
     const unsigned int slow_iterations_;
+    const bool         automatic_;
     const scene::Node  node_;
     WorkLedger        &ledger_;
 
@@ -318,6 +321,8 @@ namespace myolines
   {}
 
   LinearSolver::~LinearSolver() = default;
+
+  bool LinearSolver::automatic() const { return implementation_->automatic(); }
 
   void LinearSolver::new_step() { implementation_->new_step(); }
 
