@@ -163,7 +163,10 @@ namespace myolines
           }
         for (unsigned int i = 0; i < g_.size(); ++i)
           direction_.local_element(i) = -g_.local_element(i);
-        matrix_->solve(direction_.begin());
+        {
+          const WorkLedger::Timer timer(ledger_, "band solve");
+          matrix_->solve(direction_.begin());
+        }
         free_->distribute(direction_);
         if (remaining == 0 && direction_.linfty_norm() <= problem.resolution())
           {
