@@ -23,9 +23,10 @@ namespace myolines
     {
     public:
       Bdf2(const DirkTable &starter, const IntegratorContext &context)
-        : context_(context)
+        : linear_(context.system.capabilities().linear)
+        , context_(context)
         , solver_(context)
-        , starter_(starter, solver_)
+        , starter_(starter, solver_, linear_)
       {}
 
       void start(State &state) override
@@ -42,10 +43,7 @@ namespace myolines
         StepReport report = last_dt_ == 0 ? starter_.step(dt, state) : go_on(dt, state);
         if (!report.accepted())
           return report;
-        if (last_dt_ == 0)
-          combine(last_du_, {{1, &state.u}, {-1, &before_u_}});
-        else
-          last_du_.swap(d_);
+        combine(last_du_, {{1, &state.u}, {-1, &before_u_}});
         combine(last_dv_, {{1, &state.v}, {-1, &before_v_}});
         last_dt_ = dt;
         return report;
@@ -83,16 +81,21 @@ namespace myolines
       StepReport go_on(const double dt, State &state)
       {
         const double ratio = dt / last_dt_;
-        const double c = (1 + 2 * ratio) / ((1 + ratio) * dt), memory = ratio * ratio / ((1 + ratio) * dt);
+        const double c = (1 + 2 * ratio) / ((1 + ratio) * dt), memory = ratio * ratio / (1 + 2 * ratio);
         Stage        stage;
         stage.t = state.t + dt;
         stage.c = {1, c, c * c};
-        combine(end_.u, {{1, &state.u}});
-        combine(end_.v, {{-memory, &last_du_}});
-        combine(end_.a, {{-c * memory, &last_du_}, {-c, &state.v}, {-memory, &last_dv_}});
+        // c (u_1 - u^) = v_1, c (v_1 - v^) = a_1 with u^ = u_0 + memory du, v^ = v_0 + memory dv
+        combine(end_.v, {{1, &state.v}, {memory, &last_dv_}});
+        combine(end_.u, {{1, &state.u}, {memory, &last_du_}, {1 / c, &end_.v}});
+        end_.a = 0;
+        d_     = 0;
+        if (!linear_)
+          combine(d_, {{-memory, &last_du_}, {-1 / c, &end_.v}});
         return solver_.step(stage, end_, d_, state);
       }
 
+      const bool              linear_;
       const IntegratorContext context_;
       StageSolver             solver_;
       DirkStepper             starter_;

@@ -41,6 +41,7 @@ namespace myolines
         predictors.v     = 0;
         predictors.a     = 0;
         Vector increment = state.u;
+        increment        = 0;
         return stage_.step(stage, predictors, increment, state);
       }
 

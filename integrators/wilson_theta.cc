@@ -24,12 +24,13 @@ namespace myolines
     ///     a_theta = (1 - theta) a_0 + theta a_1,   v_theta = v_0 + theta dt a_0 + theta^2 (v_1 - v_0 - dt a_0),
     ///     u_theta = u_0 + theta dt v_0 + (theta dt)^2/2 a_0 + theta^3 (u_1 - u_0 - dt v_0 - dt^2/2 a_0),
     ///
-    /// so that the unknown stays the increment u_1 - u_0, and prescribed unknowns are met at t_1.
+    /// so that the unknown belongs to the end of the step, and prescribed unknowns are met at t_1.
     class WilsonTheta : public Integrator
     {
     public:
       WilsonTheta(const double theta, const IntegratorContext &context)
         : theta_(theta)
+        , linear_(context.system.capabilities().linear)
         , context_(context)
         , solver_(context)
       {}
@@ -47,9 +48,12 @@ namespace myolines
             d_   = state.u;
             end_ = offset_ = State{0, state.u, state.u, state.u};
           }
-        combine(end_.u, {{1, &state.u}});
-        combine(end_.v, {{-2, &state.v}, {-dt / 2, &state.a}});
-        combine(end_.a, {{-6 / dt, &state.v}, {-2, &state.a}});
+        combine(end_.u, {{1, &state.u}, {dt, &state.v}, {dt * dt / 3, &state.a}});
+        combine(end_.v, {{1, &state.v}, {dt / 2, &state.a}});
+        end_.a = 0;
+        d_     = 0;
+        if (!linear_)
+          combine(d_, {{-dt, &state.v}, {-dt * dt / 3, &state.a}});
 
         const double q = theta_, q2 = q * q, q3 = q2 * q;
         combine(offset_.u, {{1 - q3, &state.u}, {(q - q3) * dt, &state.v}, {(q2 - q3) * dt * dt / 2, &state.a}});
@@ -69,6 +73,7 @@ namespace myolines
 
     private:
       const double            theta_;
+      const bool              linear_;
       const IntegratorContext context_;
       StageSolver             solver_;
       Vector                  d_;

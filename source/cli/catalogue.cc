@@ -5,6 +5,7 @@
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/outputs.h>
+#include <myolines/rod1d/rod1d_system.h>
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/time/step_control.h>
 
@@ -54,6 +55,19 @@ namespace myolines
 
     SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0}; }
 
+    AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger)
+    {
+      return assemble(std::make_unique<Rod1dSystem>(read_rod1d(node), ledger), ledger);
+    }
+
+    /// Some twenty vectors of a run and two band matrices.
+    SizeEstimate rod1d_size(const Node &node, unsigned int)
+    {
+      const Rod1dParameters rod = read_rod1d(node);
+      const double          n   = 1. + static_cast<double>(rod.n_elements) * rod.degree;
+      return {n, n * sizeof(double) * (20 + 2 * (3 * rod.degree + 1)), 0};
+    }
+
     std::vector<SystemEntry> make_catalogue()
     {
       const std::vector<scene::Setting> isometric{{"title", "Isometric contraction of a pennate block"},
@@ -72,6 +86,12 @@ namespace myolines
                                                   {"time/end", "0.2"},
                                                   {"time/step", "0.025"}};
       const std::vector<scene::Setting> swinging{{"title", "Free oscillation"}, {"time/end", "10"}, {"time/step", "0.1"}};
+      const std::vector<scene::Setting> stretched{{"title", "Stretching an elastic rod"},
+                                                  {"system/profile/type", "smooth step"},
+                                                  {"system/profile/amplitude", "0.1"},
+                                                  {"system/profile/duration", "2"},
+                                                  {"time/end", "2"},
+                                                  {"time/step", "0.001"}};
       return {{"muscle 3d",
                muscle3d_schema(),
                muscle3d_output_schema(),
@@ -79,6 +99,7 @@ namespace myolines
                {{"system/inertia", "quasi-static"}},
                make_muscle3d,
                muscle3d_size},
+              {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {}, make_rod1d, rod1d_size},
               {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator, oscillator_size}};
     }
 

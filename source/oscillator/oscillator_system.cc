@@ -1,4 +1,5 @@
 #include <myolines/oscillator/oscillator_system.h>
+#include <myolines/system/band_linearisation.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
@@ -13,7 +14,7 @@ namespace myolines
     using Block = std::array<std::array<double, 2>, 2>;
 
     /// K, C, M as numbers; with the support at rest only their first entries are used.
-    class OscillatorLinearisation : public Linearisation
+    class OscillatorLinearisation : public BandLinearisation
     {
     public:
       OscillatorLinearisation(const unsigned int size, WorkLedger &ledger)
@@ -34,6 +35,17 @@ namespace myolines
         damping_   = {{{{damping, -damping}}, {{-damping, damping}}}};
         mass_      = {{{{mass, 0}}, {{0, 0}}}};
         assembled_ = false;
+        ++version_;
+      }
+
+      /// Diagonal, as the support is constrained; its unit row takes the entry of the mass as typical size.
+      unsigned int  bandwidth() const override { return 0; }
+      std::uint64_t version() const override { return version_; }
+      void          fill(const WeightsByOrder &weights, BandMatrix &matrix) const override
+      {
+        ledger_.count("jacobian assemblies");
+        for (unsigned int i = 0; i < size_; ++i)
+          matrix(i, i) = entry(weights[2], 0, 0);
       }
 
       void apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override
@@ -47,7 +59,6 @@ namespace myolines
           }
       }
 
-      /// The support is constrained, so the matrix is diagonal; its unit row takes the entry of the mass as typical size.
       const SparseMatrix &sparse(const WeightsByOrder &weights) override
       {
         const Weights &w = weights[2];
@@ -75,6 +86,7 @@ namespace myolines
       Block              mass_{};
       SparseMatrix       matrix_;
       bool               assembled_ = false;
+      std::uint64_t      version_   = 0;
       Weights            last_;
     };
 
@@ -160,8 +172,8 @@ namespace myolines
     ledger_.count("residual evaluations");
     const auto   difference = [](const Vector &x) { return x.size() == 2 ? x.local_element(0) - x.local_element(1) : x.local_element(0); };
     const double stretch    = difference(point.u);
-    const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch
-                          + parameters_.cubic_stiffness * stretch * stretch * stretch;
+    const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch +
+                          parameters_.cubic_stiffness * stretch * stretch * stretch;
     const double load = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
 
     r.local_element(0) = parameters_.mass * point.a.local_element(0) + spring - load;

@@ -114,11 +114,13 @@ namespace myolines
       , restart_(linear.integer("restart"))
       , rebuild_(preconditioner.text("rebuild"))
       , slow_iterations_(preconditioner.has("slow iterations") ? preconditioner.number("slow iterations") : 0)
+      , automatic_(preconditioner.text("type") == "automatic")
       , node_(preconditioner)
       , ledger_(ledger)
       , tangent_(form(linear), ledger)
     {}
 
+    bool automatic() const { return automatic_; }
     void new_step()
     {
       outdated_ = outdated_ || rebuild_ == "every step" ||
@@ -141,6 +143,7 @@ namespace myolines
     const unsigned int restart_;
     const std::string  rebuild_;
     const double       slow_iterations_; ///< 0: set_up_cost()
+    const bool         automatic_;
     const scene::Node  node_;
     WorkLedger        &ledger_;
 
@@ -373,6 +376,8 @@ namespace myolines
                            : " (as asked)") +
                 (free && type == "p multigrid" ? "; no matrix of the fine level is assembled" : "")};
   }
+
+  bool LinearSolver::automatic() const { return implementation_->automatic(); }
 
   void LinearSolver::new_step() { implementation_->new_step(); }
 

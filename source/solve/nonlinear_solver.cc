@@ -1,5 +1,6 @@
 #include "nox_vector.h"
 
+#include <myolines/solve/band_newton.h>
 #include <myolines/solve/lifted_function.h>
 #include <myolines/solve/nonlinear_solver.h>
 
@@ -284,13 +285,14 @@ namespace myolines
       : node_(node)
       , linear_(linear)
       , ledger_(ledger)
+      , band_newton_(node, ledger)
     {
       if (node.number("forcing minimum") > node.number("forcing maximum"))
         node.refuse("forcing minimum", "is larger than \"forcing maximum\"", "forcing minimum <= forcing maximum");
     }
 
     NonlinearReport solve(NonlinearProblem &problem, Vector &x);
-    void            forget() { linear_.forget(); }
+    void            forget() { linear_.forget(), band_newton_.forget(); }
 
   private:
     Teuchos::RCP<Teuchos::ParameterList> parameters(Solve &solve) const;
@@ -299,6 +301,7 @@ namespace myolines
     const scene::Node node_;
     LinearSolver     &linear_;
     WorkLedger       &ledger_;
+    BandNewton        band_newton_;
   };
 
   Teuchos::RCP<Teuchos::ParameterList> NonlinearSolver::Implementation::parameters(Solve &solve) const
@@ -339,6 +342,8 @@ namespace myolines
 
   NonlinearReport NonlinearSolver::Implementation::solve(NonlinearProblem &problem, Vector &x)
   {
+    if (auto *bands = dynamic_cast<BandLinearisation *>(&problem.linearisation()); bands != nullptr && linear_.automatic())
+      return band_newton_.solve(problem, *bands, x);
     ledger_.count("nonlinear solves");
     linear_.new_step();
     x.update_ghost_values();

@@ -142,6 +142,11 @@ namespace myolines
         .number("phase", 0, "degree", Range::any(), "Phase at time 0.")
         .number("offset", 0, unit, Range::any(), "Mean value.");
 
+    Schema power("A (t - t0)^n from t0 on, 0 before.");
+    power.number("amplitude", std::nullopt, unit + "/s^n", Range::any(), "Factor A.")
+        .number("start", 0, "s", Range::any(), "Time t0.")
+        .integer("exponent", std::nullopt, Range::closed(1, 9), "Exponent n; there is a kink at t0 for n = 1 and 2.");
+
     Schema schema("The " + quantity + " as a function of time.");
     schema.variant(
         "type", "constant",
@@ -150,7 +155,8 @@ namespace myolines
          {"spline", points_schema(unit, "The C2 spline through control points with slope zero at both ends, constant outside.")},
          {"ramp", ramp},
          {"smooth step", smooth},
-         {"sine", sine}},
+         {"sine", sine},
+         {"power", power}},
         "How the " + quantity + " varies.");
     return schema;
   }
@@ -166,6 +172,8 @@ namespace myolines
       return make_ramp(node);
     if (type == "smooth step")
       return make_smooth_step(node);
+    if (type == "power")
+      return std::make_unique<Power>(node.number("amplitude"), node.number("start"), node.integer("exponent"));
     if (type == "sine")
       return std::make_unique<Sine>(node.number("amplitude"), node.number("frequency"), node.number("phase") * 3.14159265358979323846 / 180,
                                     node.number("offset"));

@@ -50,6 +50,35 @@ namespace myolines
     return amplitude_ * Sigmoid((t - start_) / duration_, shape_).second / (duration_ * duration_);
   }
 
+  Power::Power(const double amplitude, const double start, const unsigned int exponent)
+    : amplitude_(amplitude)
+    , start_(start)
+    , exponent_(exponent)
+  {}
+
+  double Power::derivative(const unsigned int order, const double t, const Side side) const
+  {
+    if (order > exponent_ || t < start_ || (t == start_ && side == Side::left))
+      return 0;
+    double value = amplitude_;
+    for (unsigned int i = 0; i < order; ++i)
+      value *= exponent_ - i;
+    for (unsigned int i = order; i < exponent_; ++i)
+      value *= t - start_;
+    return value;
+  }
+
+  double Power::value(const double t, const Side side) const { return derivative(0, t, side); }
+
+  double Power::first_derivative(const double t, const Side side) const { return derivative(1, t, side); }
+
+  double Power::second_derivative(const double t, const Side side) const { return derivative(2, t, side); }
+
+  std::vector<double> Power::kinks(const double t0, const double t1) const
+  {
+    return amplitude_ != 0 && exponent_ <= 2 && t0 < start_ && start_ < t1 ? std::vector<double>{start_} : std::vector<double>{};
+  }
+
   Sine::Sine(const double amplitude, const double frequency, const double phase, const double offset)
     : amplitude_(amplitude)
     , omega_(2 * 3.14159265358979323846 * frequency)

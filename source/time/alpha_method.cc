@@ -18,6 +18,7 @@ namespace myolines
         : c_(c)
         , keeps_force_(c.alpha_f != 0 && force == ForceEvaluation::weighted_end_forces)
         , averages_state_(c.alpha_f != 0 && force == ForceEvaluation::averaged_state)
+        , linear_(context.system.capabilities().linear)
         , context_(context)
         , solver_(context)
       {}
@@ -89,20 +90,18 @@ namespace myolines
         zero_.update_ghost_values();
       }
 
-      /// Fills end_ with the predictors and returns the weights of d.
+      /// Fills end_ with the predictors and d_ with the first guess; returns the weights of d = u_1 - u~, or a_1 for beta = 0.
       Weights predict(const double dt, const State &state)
       {
         const double beta = c_.beta, gamma = c_.gamma;
+        combine(end_.u, {{1, &state.u}, {dt, &state.v}, {dt * dt * (0.5 - beta), &state.a}});
+        combine(end_.v, {{1, &state.v}, {dt * (1 - gamma), &state.a}});
+        end_.a = 0;
+        d_     = 0;
         if (beta == 0)
-          {
-            combine(end_.u, {{1, &state.u}, {dt, &state.v}, {dt * dt / 2, &state.a}});
-            combine(end_.v, {{1, &state.v}, {dt * (1 - gamma), &state.a}});
-            end_.a = 0;
-            return {0, gamma * dt, 1};
-          }
-        combine(end_.u, {{1, &state.u}});
-        combine(end_.v, {{1 - gamma / beta, &state.v}, {dt * (1 - gamma / (2 * beta)), &state.a}});
-        combine(end_.a, {{-1 / (beta * dt), &state.v}, {1 - 1 / (2 * beta), &state.a}});
+          return {0, gamma * dt, 1};
+        if (!linear_)
+          combine(d_, {{-dt, &state.v}, {-dt * dt * (0.5 - beta), &state.a}});
         return {1, gamma / (beta * dt), 1 / (beta * dt * dt)};
       }
 
@@ -134,6 +133,7 @@ namespace myolines
       const AlphaCoefficients c_;
       const bool              keeps_force_;
       const bool              averages_state_;
+      const bool              linear_;
       const IntegratorContext context_;
       StageSolver             solver_;
       Vector                  d_, history_, zero_;

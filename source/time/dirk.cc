@@ -16,7 +16,7 @@ namespace myolines
         : needs_acceleration_(table.explicit_first_stage())
         , context_(context)
         , solver_(context)
-        , stepper_(table, solver_)
+        , stepper_(table, solver_, context.system.capabilities().linear)
       {}
 
       void start(State &state) override
@@ -50,21 +50,23 @@ namespace myolines
     increment_ = state.u;
   }
 
-  /// For d = u_i - u_(i-1) and g = a_ii dt: v = (u - u^)/g, a = (v - v^)/g with u^, v^ the sums over the stages before.
-  /// The first guess d = 0 is a displacement that the body has had: extrapolated ones violate the volume constraint of
-  /// nearly incompressible bodies and make the tangent indefinite.
+  /// With g = a_ii dt and the sums over the stages before, u^ and v^: u = u^ + g v, v = v^ + g a, so u = u~ + g^2 a for
+  /// u~ = u^ + g v^, and v~ = v^, a~ = 0. The first guess is that of StageSolver::step(): the displacement of the last stage.
   void DirkStepper::predict(const std::size_t i, const double dt, const State &state, State &point)
   {
     const double g = diagonal(i, dt);
-    combine(point.u, {{1, i == 0 ? &state.u : &stages_[i - 1].u}});
-    combine(point.v, {{1 / g, &increment_}});
-    combine(point.a, {{-1 / g, &state.v}});
+    combine(point.v, {{1, &state.v}});
     for (std::size_t j = 0; j < i; ++j)
-      {
-        add(point.v, -dt * table_.a[i][j] / g, stages_[j].v);
-        add(point.a, -dt * table_.a[i][j] / g, stages_[j].a);
-      }
-    add(point.a, 1 / g, point.v);
+      add(point.v, dt * table_.a[i][j], stages_[j].a);
+    combine(d_, {{g, &point.v}}); // u~ - u_0
+    for (std::size_t j = 0; j < i; ++j)
+      add(d_, dt * table_.a[i][j], stages_[j].v);
+    combine(point.u, {{1, &state.u}, {1, &d_}});
+    point.a = 0;
+    if (linear_)
+      d_ = 0;
+    else
+      combine(d_, {{1, &increment_}, {-1, &d_}});
   }
 
   StepReport DirkStepper::step(const double dt, State &state)
@@ -87,11 +89,10 @@ namespace myolines
         stage.t = last ? state.t + dt : state.t + table_.c(i) * dt;
         stage.c = {1, 1 / g, 1 / (g * g)};
         predict(i, dt, state, stages_[i]);
-        d_ = 0;
         record(solver_.solve(stage, stages_[i], d_), report);
         if (!report.accepted())
           return report;
-        add(increment_, 1, d_);
+        combine(increment_, {{1, &stages_[i].u}, {-1, &state.u}});
       }
     swap(state, stages_.back());
     return report;

@@ -2,6 +2,8 @@
 #include <myolines/time/combination.h>
 #include <myolines/time/stage.h>
 
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -113,6 +115,13 @@ namespace myolines
     Linearisation        &linearisation() override { return *work_.linearisation; }
     const WeightsByOrder &weights() const override { return weights_; }
     bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
+    bool                  affine() const override { return work_.capabilities.linear; }
+
+    /// Sixteen units in the last place of the largest displacement.
+    double resolution() const override
+    {
+      return stage_.c.u == 0 ? 0 : 16 * std::numeric_limits<double>::epsilon() * predictor_.u.linfty_norm() / std::abs(stage_.c.u);
+    }
 
     /// Turns the predictors into the end of the stage. Constrained displacements hold g(t) without the round-off of
     /// u~ + c_u d, and with exact rates their derivatives too.
@@ -229,6 +238,7 @@ namespace myolines
     Linearisation        &linearisation() override { return *work_.linearisation; }
     const WeightsByOrder &weights() const override { return weights_; }
     bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
+    bool                  affine() const override { return true; }
 
   private:
     Work               &work_;
@@ -255,7 +265,6 @@ namespace myolines
 
   StepReport StageSolver::step(const Stage &stage, State &predictors, Vector &d, State &state)
   {
-    d = 0;
     StepReport report;
     record(solve(stage, predictors, d), report);
     if (report.accepted())

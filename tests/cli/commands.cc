@@ -62,6 +62,17 @@ TEST(Check, TellsSizesStepsAndWarnings)
   EXPECT_NE(checked.find("preconditioner: direct (automatic: 81 unknowns, two levels)"), std::string::npos);
 }
 
+TEST(Check, TellsWhatFollowsFromTheParametersOfTheIntegrator)
+{
+  const TestFolder folder;
+  folder.write("swing.xml", oscillator_scene);
+  const Outcome outcome = run_program(
+      folder, "check swing.xml --set \"integrator/type=generalized alpha\" --set \"integrator/spectral radius at infinity=0.5\"");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("alpha_m = 0, alpha_f = 0.333333333333"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("spectral radius at infinity 0.5"), std::string::npos) << outcome.out;
+}
+
 TEST(Template, OfEverySystemAndIntegratorPassesCheck)
 {
   const TestFolder folder;

@@ -87,7 +87,7 @@ namespace myolines::testing
     return p;
   }
 
-  /// Of largest modulus, with non-negative imaginary part.
+  /// Of largest modulus, with non-negative imaginary part; of several the one nearest to 1, which is no spurious root.
   inline std::complex<double> principal_root(const Polynomial &p)
   {
     const unsigned int n = p.size();
@@ -97,10 +97,14 @@ namespace myolines::testing
     for (unsigned int i = 1; i < n; ++i)
       companion(i, i - 1) = 1;
     companion.compute_eigenvalues();
-    std::complex<double> largest = 0;
-    for (unsigned int i = 0; i < n; ++i)
-      if (std::abs(companion.eigenvalue(i)) > std::abs(largest))
-        largest = companion.eigenvalue(i);
-    return {largest.real(), std::abs(largest.imag())};
+    std::complex<double> principal = companion.eigenvalue(0);
+    for (unsigned int i = 1; i < n; ++i)
+      {
+        const std::complex<double> root = companion.eigenvalue(i);
+        const double               more = std::abs(root) - std::abs(principal);
+        if (more > 1e-6 || (more > -1e-6 && root.real() > principal.real()))
+          principal = root;
+      }
+    return {principal.real(), std::abs(principal.imag())};
   }
 } // namespace myolines::testing

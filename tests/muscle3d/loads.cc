@@ -95,7 +95,7 @@ namespace myolines
     {
       Muscle3dParameters p = test::small_block(2, 3, 1);
       p.activation         = nullptr;
-      p.body_force         = {{"1060*2*t", "0", "1060*9.81"}};
+      p.body_force         = std::array<std::string, 3>{{"1060*2*t", "0", "1060*9.81"}};
       test::Simulation simulation(p);
       const unsigned   n = 10;
       simulation.go("backward euler", n, 0.1, [](const State &) {});

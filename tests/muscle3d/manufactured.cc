@@ -39,9 +39,10 @@ namespace myolines
       p.tissue.base.c[0]    = S_c1;
       p.tissue.base.c[1]    = 0;
       const std::string K = "1e6", C = "5e4";
-      p.body_force = {{"-((" + K + "/2*(1+1/" + s + "^2)+" + C + "*(4/9*" + s + "^(-2/3)+10/9*(" + g + "^2+2)*" + s + "^(-8/3)))*" + ds +
-                           "-" + C + "*4/3*" + g + "*" + s + "^(-5/3)*" + dg + ")",
-                       "0", "-(2*" + C + "*(" + s + "^(-2/3)*" + dg + "-2/3*" + s + "^(-5/3)*" + g + "*" + ds + "))"}};
+      p.body_force =
+          std::array<std::string, 3>{{"-((" + K + "/2*(1+1/" + s + "^2)+" + C + "*(4/9*" + s + "^(-2/3)+10/9*(" + g + "^2+2)*" + s +
+                                          "^(-8/3)))*" + ds + "-" + C + "*4/3*" + g + "*" + s + "^(-5/3)*" + dg + ")",
+                                      "0", "-(2*" + C + "*(" + s + "^(-2/3)*" + dg + "-2/3*" + s + "^(-5/3)*" + g + "*" + ds + "))"}};
       for (unsigned int face = 0; face < 6; ++face)
         {
           BoundaryCondition condition;

@@ -167,7 +167,9 @@ namespace myolines
     TEST_P(Taylor, Mass)
     {
       if (GetParam().dynamic)
-        EXPECT_LT(error(system_, {0, 0, 1}), 1e-8);
+        {
+          EXPECT_LT(error(system_, {0, 0, 1}), 1e-8);
+        }
     }
 
     TEST_P(Taylor, Together) { EXPECT_LT(error(system_, {1, 80, 6400}), 1e-8); }

@@ -18,8 +18,8 @@ namespace myolines::test
   {
   public:
     Folder()
-      : path(std::filesystem::path(testing::TempDir()) /
-             ("myolines_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" + std::to_string(getpid())))
+      : path(std::filesystem::path(::testing::TempDir()) /
+             ("myolines_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + "_" + std::to_string(getpid())))
     {
       std::filesystem::remove_all(path);
       std::filesystem::create_directories(path);

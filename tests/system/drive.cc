@@ -167,6 +167,19 @@ TEST(Drive, SineOfTheThesis)
     }
 }
 
+TEST(Drive, PowersHaveAKinkOnlyWhereASecondDerivativeJumps)
+{
+  const auto d = drive({{"type", "power"}, {"amplitude", "0.2"}, {"start", "0.1"}, {"exponent", "3"}});
+  EXPECT_EQ(d->value(0.05), 0);
+  EXPECT_NEAR(d->value(0.6), 0.2 * 0.125, 1e-16);
+  expect_derivatives(*d, 0.6, 1);
+  EXPECT_TRUE(d->kinks(0, 1).empty());
+  const auto square = drive({{"type", "power"}, {"amplitude", "2"}, {"start", "0.1"}, {"exponent", "2"}});
+  EXPECT_EQ(square->kinks(0, 1), std::vector<double>{0.1});
+  EXPECT_EQ(square->second_derivative(0.1, Side::left), 0);
+  EXPECT_EQ(square->second_derivative(0.1, Side::right), 4);
+}
+
 TEST(Drive, BadPointsAreRefused)
 {
   const auto of = [](const std::string &text) { return refusal({{"type", "control points"}, {"points", text}}); };

@@ -3,6 +3,7 @@
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/output_folder.h>
+#include <myolines/rod1d/rod1d_system.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/ledger.h>
 #include <myolines/time/loop.h>
@@ -16,11 +17,14 @@ namespace myolines
   /// Parameters of the list `output` for each system.
   scene::Schema muscle3d_output_schema();
   scene::Schema oscillator_output_schema();
+  scene::Schema rod1d_output_schema();
 
   /// The observers a scene asks for; they write into @p folder, which exists and is writable. Made on all ranks alike.
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle3dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &ledger);
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system, const OutputFolder &folder,
+                                                      WorkLedger &ledger);
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Rod1dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &ledger);
 
   /// Status line per step on a terminal, one line per step in run.log, always run.log; on rank 0.

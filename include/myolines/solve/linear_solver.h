@@ -45,6 +45,9 @@ namespace myolines
     LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger);
     ~LinearSolver();
 
+    /// True if the scene leaves the choice of the preconditioner to the program.
+    bool automatic() const;
+
     /// The next solve may build a fresh preconditioner: the operator has moved on to another time step or stage weight.
     void new_step();
 

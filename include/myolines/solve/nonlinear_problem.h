@@ -26,5 +26,11 @@ namespace myolines
     virtual Linearisation        &linearisation()   = 0;
     virtual const WeightsByOrder &weights() const   = 0; ///< J = dF/dx = weights applied to the linearisation
     virtual bool                  symmetric() const = 0; ///< whether J is symmetric
+
+    /// Whether F is affine: a direct solve then ends at the root, where only rounding is left of the residual.
+    virtual bool affine() const { return false; }
+
+    /// Entries of x mean no more than this: what the rounding of the numbers that they are added to makes of them.
+    virtual double resolution() const { return 0; }
   };
 } // namespace myolines

@@ -72,6 +72,27 @@ namespace myolines
     double amplitude_, start_, duration_, shape_;
   };
 
+  /// A (t - t0)^n from t0 on, 0 before; thesis section 4.6 with n = 3.
+  class Power : public Drive
+  {
+  public:
+    /// @p exponent n >= 1.
+    Power(double amplitude, double start, unsigned int exponent);
+
+    double              value(double t, Side side) const override;
+    double              first_derivative(double t, Side side) const override;
+    double              second_derivative(double t, Side side) const override;
+    std::vector<double> kinks(double t0, double t1) const override;
+    bool                identically_zero() const override { return amplitude_ == 0; }
+
+  private:
+    /// The derivative of order @p order.
+    double derivative(unsigned int order, double t, Side side) const;
+
+    double       amplitude_, start_;
+    unsigned int exponent_;
+  };
+
   /// offset + A sin(2 pi f t + phase), thesis (4.7.5).
   class Sine : public Drive
   {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace myolines
 {
@@ -12,25 +13,29 @@ namespace myolines
   class WorkLedger
   {
   public:
-    void count(const std::string &what, std::uint64_t times = 1) { counts_[what] += times; }
-    void add_seconds(const std::string &phase, double seconds) { seconds_[phase] += seconds; }
+    void count(std::string_view what, std::uint64_t times = 1) { entry(counts_, what) += times; }
+    void add_seconds(std::string_view phase, double seconds) { entry(seconds_, phase) += seconds; }
 
-    std::uint64_t counted(const std::string &what) const
+    std::uint64_t counted(std::string_view what) const
     {
       const auto found = counts_.find(what);
       return found == counts_.end() ? 0 : found->second;
     }
 
-    const std::map<std::string, std::uint64_t> &counts() const { return counts_; }
-    const std::map<std::string, double>        &seconds() const { return seconds_; }
+    template <typename Value>
+    using Table = std::map<std::string, Value, std::less<>>; // looked up without making strings
+
+    const Table<std::uint64_t> &counts() const { return counts_; }
+    const Table<double>        &seconds() const { return seconds_; }
 
     /// Adds the wall-clock seconds of its own life to a phase.
     class Timer
     {
     public:
-      Timer(WorkLedger &ledger, std::string phase)
+      /// @p phase is a literal, or outlives the timer.
+      Timer(WorkLedger &ledger, std::string_view phase)
         : ledger_(ledger)
-        , phase_(std::move(phase))
+        , phase_(phase)
         , begin_(std::chrono::steady_clock::now())
       {}
       ~Timer() { ledger_.add_seconds(phase_, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count()); }
@@ -39,12 +44,19 @@ namespace myolines
 
     private:
       WorkLedger                           &ledger_;
-      std::string                           phase_;
+      std::string_view                      phase_;
       std::chrono::steady_clock::time_point begin_;
     };
 
   private:
-    std::map<std::string, std::uint64_t> counts_;
-    std::map<std::string, double>        seconds_;
+    template <typename Value>
+    static Value &entry(Table<Value> &table, const std::string_view name)
+    {
+      const auto found = table.find(name);
+      return found != table.end() ? found->second : table.emplace(name, Value()).first->second;
+    }
+
+    Table<std::uint64_t> counts_;
+    Table<double>        seconds_;
   };
 } // namespace myolines

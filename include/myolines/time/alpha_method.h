@@ -46,7 +46,7 @@ namespace myolines
   /// Coefficients, order and spectral radius in words, for `check`.
   std::vector<std::string> describe(const AlphaCoefficients &coefficients);
 
-  /// One nonlinear solve per step, for the increment u_1 - u_0 from 0 (beta > 0) or for a_1. Starts from M a_0 = -F.
+  /// One nonlinear solve per step; for the first guess see StageSolver::step(). Starts from M a_0 = -F.
   /// @throws InputError (at the parameters of @p integrator) if the system or the boundary rates do not fit.
   std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, ForceEvaluation force, const MethodFacts &facts,
                                                 const scene::Node &integrator, const IntegratorContext &context);

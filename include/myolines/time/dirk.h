@@ -25,9 +25,11 @@ namespace myolines
   class DirkStepper
   {
   public:
-    DirkStepper(DirkTable table, StageSolver &solver)
+    /// @p linear: the system is.
+    DirkStepper(DirkTable table, StageSolver &solver, const bool linear)
       : table_(std::move(table))
       , solver_(solver)
+      , linear_(linear)
     {}
 
     /// As Integrator::step.
@@ -40,9 +42,10 @@ namespace myolines
 
     DirkTable          table_;
     StageSolver       &solver_;
+    const bool         linear_;
     std::vector<State> stages_;
     Vector             d_;
-    Vector             increment_; ///< u of the last stage - u_0, without the round-off of a difference
+    Vector             increment_; ///< u of the last stage - u_0
   };
 
   /// The method as an integrator. @throws InputError if the system does not fit the facts.

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+
+#include <cmath>
+
+namespace myolines
+{
+  /// Stress P of a rod as a function of its stretch l.
+  ///
+  /// - linear: P = E (l - 1), E = 3 kappa (1 - 2 nu), thesis (4.6.3);
+  /// - Neo-Hookean: P = mu l + (lambda log l - mu)/l, thesis (4.7.1) with the coefficient mu that makes P(1) = 0 (errata 16).
+  struct RodMaterial
+  {
+    bool   linear = true;
+    double young  = 0; ///< E [Pa], linear
+    double lambda = 0; ///< [Pa], Neo-Hookean
+    double mu     = 0; ///< [Pa], Neo-Hookean
+
+    /// As functions of the strain e = l - 1, so that small strains keep their digits.
+    bool   admissible(const double strain) const { return linear ? std::isfinite(strain) : strain > -1 && std::isfinite(strain); }
+    double stress(const double strain) const
+    {
+      return linear ? young * strain : (mu * strain * (2 + strain) + lambda * std::log1p(strain)) / (1 + strain);
+    }
+    /// dP/dl
+    double tangent(const double strain) const
+    {
+      const double stretch = 1 + strain;
+      return linear ? young : mu + (lambda * (1 - std::log1p(strain)) + mu) / (stretch * stretch);
+    }
+
+    static RodMaterial linear_elastic(double bulk_modulus, double poisson_ratio);
+
+    /// Lame parameters as the thesis prints and uses them (4.7.2): lambda = kappa nu/((1 - nu)(1 - 2 nu)), mu = kappa/(2 (1 + nu)).
+    static RodMaterial neo_hookean_thesis(double bulk_modulus, double poisson_ratio);
+
+    /// Those of elasticity (errata 12): lambda = E nu/((1 + nu)(1 - 2 nu)), mu = E/(2 (1 + nu)), E = 3 kappa (1 - 2 nu).
+    static RodMaterial neo_hookean_corrected(double bulk_modulus, double poisson_ratio);
+  };
+
+  scene::Schema rod_material_schema();
+  RodMaterial   read_rod_material(const scene::Node &material);
+} // namespace myolines
