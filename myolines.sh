@@ -8,7 +8,7 @@ debug=$root/build/debug
 
 packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundials-dev libopenmpi-dev openmpi-bin
           libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev numdiff
-          gnuplot-nox python3-minimal)
+          gnuplot-nox python3)
 
 # MPI starts as root and with more ranks than cores (containers); one thread per rank, or the ranks fight for cores.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1

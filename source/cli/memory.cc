@@ -49,7 +49,7 @@ namespace myolines
 
       Need need;
       need.system         = size.bytes;
-      need.krylov         = (linear.integer("restart") + 5.) * size.n_unknowns / ranks * sizeof(double);
+      need.krylov         = (2. * linear.integer("restart") + 7) * size.n_unknowns / ranks * sizeof(double);
       need.preconditioner = preconditioner_bytes(preconditioner, size, ranks);
       return need;
     }

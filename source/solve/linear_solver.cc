@@ -1,10 +1,10 @@
 #include <myolines/solve/linear_solver.h>
 #include <myolines/solve/preconditioner.h>
 
+#include <BelosBlockGmresSolMgr.hpp>
 #include <BelosEpetraAdapter.hpp>
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>
-#include <BelosPseudoBlockGmresSolMgr.hpp>
 #include <Epetra_Operator.h>
 #include <Epetra_Vector.h>
 
@@ -74,7 +74,7 @@ namespace myolines
         .choice("operator", "automatic", {"automatic", "matrix-free", "assembled"},
                 "How the tangent is applied; automatic: matrix-free where the system has a fast action, else by its matrix.")
         .integer("maximum iterations", 1000, Range::closed(1, 100000), "Largest number of iterations of one solve.")
-        .integer("restart", 100, Range::closed(1, 1000), "gmres starts anew after this many iterations; it stores as many vectors.");
+        .integer("restart", 60, Range::closed(1, 1000), "gmres starts anew after this many iterations; it stores twice as many vectors.");
     return schema;
   }
 
@@ -201,7 +201,11 @@ namespace myolines
       tangent_.apply(from, to);
       std::copy_n(to.begin(), to.locally_owned_size(), out);
     });
-    const ActionOperator inverse(map, [&](const double *in, double *out) { preconditioner_->apply(in, out); });
+    const ActionOperator inverse(map, [&](const double *in, double *out) {
+      const WorkLedger::Timer timer(ledger_, "preconditioner application");
+      ledger_.count("preconditioner applications");
+      preconditioner_->apply(in, out);
+    });
 
     const auto problem =
         Teuchos::rcp(new Problem(Teuchos::rcp<const Epetra_Operator>(&tangent, false), Teuchos::rcp<Epetra_MultiVector>(&left, false),
@@ -225,6 +229,8 @@ namespace myolines
         list->set("Num Blocks", static_cast<int>(restart_));
         list->set("Maximum Restarts", static_cast<int>(maximum_iterations_ / restart_ + 1));
         list->set("Orthogonalization", "IMGS");
+        // A preconditioner in single precision is no linear map: flexible gmres keeps its every result, and its residual is true.
+        list->set("Flexible Gmres", true);
       }
     else
       {
@@ -237,7 +243,7 @@ namespace myolines
     if (cg)
       manager = std::make_unique<Belos::PseudoBlockCGSolMgr<double, Epetra_MultiVector, Epetra_Operator>>(problem, list);
     else
-      manager = std::make_unique<Belos::PseudoBlockGmresSolMgr<double, Epetra_MultiVector, Epetra_Operator>>(problem, list);
+      manager = std::make_unique<Belos::BlockGmresSolMgr<double, Epetra_MultiVector, Epetra_Operator>>(problem, list);
     manager->solve();
     report.iterations += manager->getNumIters();
   }

@@ -1,10 +1,8 @@
-#include "nox_vector.h"
+#include "nox_group.h"
 
 #include <myolines/solve/band_newton.h>
-#include <myolines/solve/lifted_function.h>
 #include <myolines/solve/nonlinear_solver.h>
 
-#include <NOX.H>
 #include <NOX_GlobalData.H>
 #include <NOX_LineSearch_Generic.H>
 #include <NOX_LineSearch_UserDefinedFactory.H>
@@ -17,145 +15,13 @@ namespace myolines
 {
   namespace
   {
-    /// What the parts of one solve share.
-    struct Solve
-    {
-      LiftedFunction function;
-      WorkLedger    &ledger;
-      double         relative_tolerance;
-      double         absolute_tolerance;
-      unsigned int   maximum_iterations;
-      unsigned int   maximum_cuts;
-
-      std::string  reason;
-      bool         inadmissible      = false;
-      unsigned int iterations        = 0;
-      unsigned int linear_iterations = 0;
-      double       initial_norm      = 0;
-
-      double tolerance() const { return std::max(relative_tolerance * initial_norm, absolute_tolerance); }
-    };
-
-    /// A point, G there and the Newton direction.
-    class NoxGroup : public NOX::Abstract::Group
-    {
-    public:
-      NoxGroup(Solve &solve, const Vector &x)
-        : solve_(solve)
-        , x_(x)
-        , g_(x)
-        , direction_(x)
-      {
-        moved(1);
-      }
-
-      NOX::Abstract::Group &operator=(const NOX::Abstract::Group &other) override
-      {
-        const auto &from  = dynamic_cast<const NoxGroup &>(other);
-        x_.values         = from.x_.values;
-        g_.values         = from.g_.values;
-        direction_.values = from.direction_.values;
-        sample_           = from.sample_;
-        first_            = from.first_;
-        evaluated_        = from.evaluated_;
-        has_direction_    = from.has_direction_;
-        return *this;
-      }
-
-      void setX(const NOX::Abstract::Vector &x) override
-      {
-        x_ = x;
-        moved(1);
-      }
-
-      void computeX(const NOX::Abstract::Group &from, const NOX::Abstract::Vector &direction, const double step) override
-      {
-        const auto  &origin    = dynamic_cast<const NoxGroup &>(from);
-        const double remaining = (1 - step) * origin.sample_.remaining;
-        x_.values              = origin.x_.values;
-        x_.values.add(step, NoxVector::of(direction));
-        if (remaining == 0)
-          solve_.function.impose(x_.values);
-        x_.values.update_ghost_values();
-        moved(remaining);
-        first_ = false;
-      }
-
-      ReturnType computeF() override
-      {
-        if (!evaluated_)
-          sample_ = first_ ? solve_.function.first(x_.values, sample_.stamp, g_.values)
-                           : solve_.function.evaluate(x_.values, sample_.stamp, sample_.remaining, g_.values);
-        evaluated_ = true;
-        return sample_.evaluation.admissible ? Ok : Failed;
-      }
-
-      ReturnType computeJacobian() override { return evaluated_ ? Ok : BadDependency; }
-
-      /// An inexact direction that reduces the linear residual is still a good one: the line search judges it.
-      ReturnType computeNewton(Teuchos::ParameterList &list) override
-      {
-        if (has_direction_)
-          return Ok;
-        const LinearReport report =
-            solve_.function.direction(x_.values, sample_, g_.values, list.get<double>("Tolerance"), direction_.values);
-        ++solve_.iterations;
-        solve_.ledger.count("newton iterations");
-        solve_.linear_iterations += report.iterations;
-        has_direction_ = report.converged || report.relative_residual < 0.5;
-        if (!has_direction_)
-          solve_.reason = "linear solver: " + report.reason;
-        return has_direction_ ? Ok : Failed;
-      }
-
-      bool isF() const override { return evaluated_; }
-      bool isJacobian() const override { return evaluated_; }
-      bool isNewton() const override { return has_direction_; }
-
-      const NOX::Abstract::Vector &getX() const override { return x_; }
-      const NOX::Abstract::Vector &getF() const override { return g_; }
-      double                       getNormF() const override { return sample_.norm; }
-      const NOX::Abstract::Vector &getNewton() const override { return direction_; }
-      /// The gradient of |G|^2 / 2 needs J^T; nothing here asks for it.
-      const NOX::Abstract::Vector &getGradient() const override { throw std::logic_error("the Newton group has no gradient"); }
-
-      Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(x_); }
-      Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return Teuchos::rcpFromRef(g_); }
-      Teuchos::RCP<const NOX::Abstract::Vector> getNewtonPtr() const override { return Teuchos::rcpFromRef(direction_); }
-      Teuchos::RCP<const NOX::Abstract::Vector> getGradientPtr() const override { return Teuchos::rcpFromRef(getGradient()); }
-
-      Teuchos::RCP<NOX::Abstract::Group> clone(NOX::CopyType) const override { return Teuchos::rcp(new NoxGroup(*this)); }
-
-      const LiftedFunction::Sample &sample() const { return sample_; }
-
-    private:
-      void moved(const double remaining)
-      {
-        sample_           = {};
-        sample_.stamp     = solve_.function.new_stamp();
-        sample_.remaining = remaining;
-        first_            = true;
-        evaluated_        = false;
-        has_direction_    = false;
-      }
-
-      Solve                 &solve_;
-      NoxVector              x_;
-      NoxVector              g_;
-      NoxVector              direction_;
-      LiftedFunction::Sample sample_;
-      bool                   first_         = true; ///< x was given, not reached by a step
-      bool                   evaluated_     = false;
-      bool                   has_direction_ = false;
-    };
-
     const LiftedFunction::Sample &sample_of(const NOX::Abstract::Group &group) { return dynamic_cast<const NoxGroup &>(group).sample(); }
 
     /// Residual backtracking; see the class comment of NonlinearSolver.
     class Backtracking : public NOX::LineSearch::Generic
     {
     public:
-      explicit Backtracking(Solve &solve)
+      explicit Backtracking(NoxSolve &solve)
         : solve_(solve)
       {}
 
@@ -164,6 +30,7 @@ namespace myolines
       {
         const NOX::Abstract::Group &old   = solver.getPreviousSolutionGroup();
         const double                norm0 = old.getNormF();
+        const double                goal  = patient_steps_ > 0 ? goal_ : norm0;
 
         double alpha = 1;
         for (unsigned int cut = 0;; ++cut)
@@ -172,14 +39,22 @@ namespace myolines
             group.computeF();
             const LiftedFunction::Sample &trial = sample_of(group);
             const bool                    valid = trial.evaluation.admissible;
-            if (valid && (trial.norm <= (1 - 1e-4 * alpha) * norm0 || (trial.remaining == 0 && trial.norm <= solve_.tolerance())))
+            step                                = alpha;
+            if (valid && (trial.norm <= (1 - 1e-4 * alpha) * goal || (trial.remaining == 0 && trial.norm <= solve_.tolerance())))
               {
-                step = alpha;
+                patient_steps_ = 0;
                 return true;
               }
-            if (cut == solve_.maximum_cuts)
+            if (valid && cut == 0 && patient_steps_ < solve_.patience)
               {
-                fail(trial, norm0, alpha);
+                goal_              = goal;
+                solve_.was_patient = true;
+                ++patient_steps_;
+                return true;
+              }
+            if (cut == solve_.maximum_cuts || patient_steps_ > 0)
+              {
+                fail(trial, norm0, cut, alpha);
                 step = 0;
                 return false;
               }
@@ -197,10 +72,10 @@ namespace myolines
         return std::clamp(alpha * phi0 / curvature, 0.1, 0.5);
       }
 
-      void fail(const LiftedFunction::Sample &trial, const double norm0, const double alpha)
+      void fail(const LiftedFunction::Sample &trial, const double norm0, const unsigned int cuts, const double alpha)
       {
         std::ostringstream text;
-        text << "line search: after " << solve_.maximum_cuts << " cuts, at " << alpha << " of the Newton step, ";
+        text << "line search: after " << cuts << " cuts, at " << alpha << " of the Newton step, ";
         if (trial.evaluation.admissible)
           text << "the residual is " << trial.norm << " and was " << norm0;
         else
@@ -209,13 +84,15 @@ namespace myolines
         solve_.inadmissible = !trial.evaluation.admissible;
       }
 
-      Solve &solve_;
+      NoxSolve    &solve_;
+      unsigned int patient_steps_ = 0; ///< so far in a row
+      double       goal_          = 0; ///< |G| before them
     };
 
     class BacktrackingFactory : public NOX::LineSearch::UserDefinedFactory
     {
     public:
-      explicit BacktrackingFactory(Solve &solve)
+      explicit BacktrackingFactory(NoxSolve &solve)
         : solve_(solve)
       {}
       Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData> &, Teuchos::ParameterList &) const override
@@ -224,13 +101,13 @@ namespace myolines
       }
 
     private:
-      Solve &solve_;
+      NoxSolve &solve_;
     };
 
     class Verdict : public NOX::StatusTest::Generic
     {
     public:
-      explicit Verdict(Solve &solve)
+      explicit Verdict(NoxSolve &solve)
         : solve_(solve)
       {}
 
@@ -258,7 +135,7 @@ namespace myolines
       std::ostream               &print(std::ostream &stream, int) const override { return stream; }
 
     private:
-      Solve                      &solve_;
+      NoxSolve                   &solve_;
       NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
     };
   } // namespace
@@ -273,6 +150,9 @@ namespace myolines
                 "Converged when the residual norm is below this.")
         .integer("maximum iterations", 25, Range::closed(1, 1000), "Largest number of Newton steps.")
         .integer("line search cuts", 6, Range::closed(0, 50), "Largest number of times one Newton step is shortened.")
+        .integer("patience", 2, Range::closed(0, 10),
+                 "Newton steps in a row that may raise the residual before one ends below where it was; if none does, the solve begins "
+                 "anew without patience.")
         .number("forcing minimum", 1e-4, "-", fraction, "Tightest relative tolerance of the linear solves.")
         .number("forcing maximum", 1e-2, "-", fraction, "Loosest relative tolerance of the linear solves, and that of the first one.");
     return schema;
@@ -295,8 +175,9 @@ namespace myolines
     void            forget() { linear_.forget(), band_newton_.forget(); }
 
   private:
-    Teuchos::RCP<Teuchos::ParameterList> parameters(Solve &solve) const;
-    void                                 run(Solve &solve, const Teuchos::RCP<NoxGroup> &group, NonlinearReport &report);
+    Teuchos::RCP<Teuchos::ParameterList> parameters(NoxSolve &solve) const;
+    bool                                 attempt(NonlinearProblem &problem, Vector &x, unsigned int patience, NonlinearReport &report);
+    void                                 run(NoxSolve &solve, const Teuchos::RCP<NoxGroup> &group, NonlinearReport &report);
 
     const scene::Node node_;
     LinearSolver     &linear_;
@@ -304,7 +185,7 @@ namespace myolines
     BandNewton        band_newton_;
   };
 
-  Teuchos::RCP<Teuchos::ParameterList> NonlinearSolver::Implementation::parameters(Solve &solve) const
+  Teuchos::RCP<Teuchos::ParameterList> NonlinearSolver::Implementation::parameters(NoxSolve &solve) const
   {
     const auto list = Teuchos::rcp(new Teuchos::ParameterList);
     list->set("Nonlinear Solver", "Line Search Based");
@@ -327,7 +208,7 @@ namespace myolines
     return list;
   }
 
-  void NonlinearSolver::Implementation::run(Solve &solve, const Teuchos::RCP<NoxGroup> &group, NonlinearReport &report)
+  void NonlinearSolver::Implementation::run(NoxSolve &solve, const Teuchos::RCP<NoxGroup> &group, NonlinearReport &report)
   {
     // NOX throws a plain text where F cannot be computed: look at the first point ourselves.
     if (group->computeF() != NOX::Abstract::Group::Ok)
@@ -340,26 +221,16 @@ namespace myolines
     report.converged  = solver->solve() == NOX::StatusTest::Converged;
   }
 
-  NonlinearReport NonlinearSolver::Implementation::solve(NonlinearProblem &problem, Vector &x)
+  bool NonlinearSolver::Implementation::attempt(NonlinearProblem &problem, Vector &x, const unsigned int patience, NonlinearReport &report)
   {
-    if (auto *bands = dynamic_cast<BandLinearisation *>(&problem.linearisation()); bands != nullptr && linear_.automatic())
-      return band_newton_.solve(problem, *bands, x);
-    ledger_.count("nonlinear solves");
-    linear_.new_step();
-    x.update_ghost_values();
-    Solve           solve{LiftedFunction(problem, linear_, ledger_, x),
-                ledger_,
-                node_.number("relative tolerance"),
-                node_.number("absolute tolerance"),
-                static_cast<unsigned int>(node_.integer("maximum iterations")),
-                static_cast<unsigned int>(node_.integer("line search cuts")),
-                "",
-                false,
-                0,
-                0,
-                0};
-    const auto      group = Teuchos::rcp(new NoxGroup(solve, x));
-    NonlinearReport report;
+    NoxSolve   solve{LiftedFunction(problem, linear_, ledger_, x),
+                   ledger_,
+                   node_.number("relative tolerance"),
+                   node_.number("absolute tolerance"),
+                   static_cast<unsigned int>(node_.integer("maximum iterations")),
+                   static_cast<unsigned int>(node_.integer("line search cuts")),
+                   patience};
+    const auto group = Teuchos::rcp(new NoxGroup(solve, x));
     try
       {
         run(solve, group, report);
@@ -376,14 +247,32 @@ namespace myolines
       }
     x = NoxVector::of(group->getX());
 
-    if (!report.converged)
-      report.reason = solve.reason.empty() ? "Newton's method failed" : solve.reason;
-    report.inadmissible         = solve.inadmissible;
-    report.iterations           = solve.iterations;
-    report.linear_iterations    = solve.linear_iterations;
-    report.residual_evaluations = solve.function.evaluations();
-    report.initial_residual     = solve.initial_norm;
-    report.final_residual       = group->getNormF();
+    report.reason       = report.converged ? "" : solve.reason.empty() ? "Newton's method failed" : solve.reason;
+    report.inadmissible = solve.inadmissible;
+    report.iterations += solve.iterations;
+    report.linear_iterations += solve.linear_iterations;
+    report.residual_evaluations += solve.function.evaluations();
+    report.initial_residual = solve.initial_norm;
+    report.final_residual   = group->getNormF();
+    return report.converged || !solve.was_patient;
+  }
+
+  NonlinearReport NonlinearSolver::Implementation::solve(NonlinearProblem &problem, Vector &x)
+  {
+    if (auto *bands = dynamic_cast<BandLinearisation *>(&problem.linearisation()); bands != nullptr && linear_.automatic())
+      return band_newton_.solve(problem, *bands, x);
+    ledger_.count("nonlinear solves");
+    linear_.new_step();
+    x.update_ghost_values();
+    const auto      patience = static_cast<unsigned int>(node_.integer("patience"));
+    const Vector    guess(x);
+    NonlinearReport report;
+    if (!attempt(problem, x, patience, report))
+      {
+        ledger_.count("nonlinear solves begun anew");
+        x = guess;
+        attempt(problem, x, 0, report);
+      }
     return report;
   }
 

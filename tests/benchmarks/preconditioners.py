@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""Krylov iterations per Newton iteration and CPU seconds per step of every preconditioner, over refinement, bulk modulus and state:
+preconditioners.py PROGRAM [--refinements 2 3]
+
+The block is stretched by 5 % in 0.1 s (four steps) while its activation is held: passive (0), half (0.5) or full (1). Newton to 1e-8 of
+the first residual, linear solves to 1e-4 (not adapted, so that the counts compare).
+"""
+
+import argparse
+
+from block import block, run
+
+STATES = {"passive": 0, "half": 0.5, "full": 1}
+
+
+def settings(refinement, kappa, level, preconditioner):
+    stretch = {"system/boundary/moving end/type": "prescribed motion",
+               "system/boundary/moving end/direction": "1 0 0",
+               "system/boundary/moving end/displacement/type": "control points",
+               "system/boundary/moving end/displacement/points": "0 0; 0.1 0.0015"}
+    return dict(block(refinement, 3, 4), **stretch,
+                **{"system/tissues/muscle/bulk modulus": kappa, "system/activation/points": f"0 {level}; 1 {level}",
+                   "solver/nonlinear/forcing minimum": 1e-4, "solver/nonlinear/forcing maximum": 1e-4,
+                   "solver/linear/maximum iterations": 3000, "solver/preconditioner/type": preconditioner})
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("program")
+    arguments.add_argument("--refinements", type=int, nargs="+", default=[2, 3])
+    arguments.add_argument("--preconditioners", nargs="+", default=["p multigrid", "ml", "direct", "jacobi"])
+    arguments.add_argument("--kappas", nargs="+", default=["1e6", "1e7", "1e8"])
+    given = arguments.parse_args()
+    print("| refinement | kappa [Pa] | state | " + " | ".join(given.preconditioners) + " |")
+    print("|---|---|---|" + "---|" * len(given.preconditioners))
+    for refinement in given.refinements:
+        for kappa in given.kappas:
+            for state, level in STATES.items():
+                entries = []
+                for preconditioner in given.preconditioners:
+                    try:
+                        cost = run(given.program, settings(refinement, kappa, level, preconditioner))
+                        krylov = cost.count("linear iterations") / cost.count("newton iterations")
+                        entries.append(f"{krylov:.1f} ({cost.cpu / cost.accepted:.2g} s)")
+                    except RuntimeError as error:
+                        entries.append("fails: " + str(error).split(":")[0])
+                print(f"| {refinement} | {kappa} | {state} | " + " | ".join(entries) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
