@@ -52,6 +52,18 @@ namespace myolines
           out << "  " << line << "\n";
     }
 
+    /// Outputs that cost nothing because the scene does not ask for them.
+    void print_skipped_outputs(const scene::Node &output, const scene::Schema &schema, std::ostream &out)
+    {
+      for (const scene::Schema::Section &section : schema.sections())
+        if (!output.has(section.name))
+          out << "  off  output " << section.name << ": not asked for\n";
+        else
+          for (const scene::Entry &entry : section.schema->entries())
+            if (entry.kind == scene::Kind::boolean && !output.section(section.name).boolean(entry.name))
+              out << "  off  output " << section.name << ", " << entry.name << ": not asked for\n";
+    }
+
     /// "8 x 0.025 s", equal neighbours together.
     void print_steps(const Experiment &experiment, std::ostream &out)
     {
@@ -82,10 +94,11 @@ namespace myolines
     experiment.assembled().make_outputs(experiment.scene().section("output"), scratch.path());
 
     out << "The scene is valid. Resolved, with every value in force:\n\n" << scene::resolved_xml(experiment.scene()) << "\n";
-    out << "System: " << experiment.scene().section("system").text("type")
-        << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
+    const std::string type = experiment.scene().section("system").text("type");
+    out << "System: " << type << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
     for (const std::string &line : experiment.assembled().plan)
       out << "  " << line << "\n";
+    print_skipped_outputs(experiment.scene().section("output"), system_entry(type, "").output, out);
     for (const std::string &line : experiment.solver_plan())
       out << "  " << line << "\n";
     for (const std::string &line : memory_lines(experiment.scene()))

@@ -42,7 +42,8 @@ namespace myolines
   {
     refuse_ignored_inertia();
     solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
-                                      *assembled_.system->make_linearisation(), assembled_.system->n_unknowns());
+                                      *assembled_.system->make_linearisation(), assembled_.system->n_unknowns(),
+                                      assembled_.system->capabilities().linear);
     control_     = make_step_control(scene_.section("time"));
     const scene::Node &time = scene_.section("time");
     integrator_             = method_.make(scene_.section("integrator"),

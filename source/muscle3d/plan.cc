@@ -14,7 +14,7 @@ namespace myolines
     std::vector<std::string> lines;
     lines.push_back(line("inertia", p.dynamic, p.dynamic ? "dynamic" : "quasi-static: no mass matrix is built"));
     lines.push_back(line("active stress", p.activation != nullptr,
-                         p.activation ? "activation is given" : "no activation, or an activation that is always zero"));
+                         p.activation ? "activation is given; skipped while it is zero up to the next event" : "no activation, or an activation that is always zero"));
     lines.push_back(line("force-velocity", rates,
                          rates                            ? "dynamic and active"
                          : !p.dynamic                     ? "quasi-static: sV = 1"

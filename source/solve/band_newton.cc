@@ -9,10 +9,13 @@ namespace myolines
 {
   namespace
   {
+    bool same(const double left, const double right) { return std::abs(left - right) <= 1e-12 * std::abs(left); }
+
+    /// Equal up to the rounding of step sizes, which are differences of instants.
     bool same(const WeightsByOrder &left, const WeightsByOrder &right)
     {
       return std::equal(left.begin(), left.end(), right.begin(),
-                        [](const Weights &a, const Weights &b) { return a.u == b.u && a.v == b.v && a.a == b.a; });
+                        [](const Weights &a, const Weights &b) { return same(a.u, b.u) && same(a.v, b.v) && same(a.a, b.a); });
     }
   } // namespace
 

@@ -363,26 +363,6 @@ namespace myolines
 
   LinearSolver::~LinearSolver() = default;
 
-  std::vector<std::string> LinearSolver::plan(const scene::Node &linear, const scene::Node &preconditioner,
-                                              const Linearisation &linearisation, const std::size_t n_unknowns)
-  {
-    const bool        two_levels = linearisation.has_two_levels();
-    const std::string wanted     = preconditioner.text("type");
-    if (wanted == "p multigrid" && !two_levels)
-      preconditioner.refuse("type", "p multigrid needs a coarser level, which this system does not have",
-                            "another preconditioner, or a muscle of degree 2 or 3");
-    const bool        automatic = wanted == "automatic";
-    const std::string type      = automatic ? automatic_choice(preconditioner, n_unknowns, two_levels) : wanted;
-    const std::string form      = linear.text("operator");
-    const bool        free      = form == "matrix-free" || (form == "automatic" && linearisation.action_is_cheap());
-    const std::string why       = form == "automatic" ? (free ? " (its action is cheaper)" : " (no fast action)") : " (as asked)";
-    return {"tangent in Krylov solves: " + std::string(free ? "matrix-free" : "assembled") + why,
-            "preconditioner: " + type +
-                (automatic ? " (automatic: " + std::to_string(n_unknowns) + " unknowns, " + (two_levels ? "two levels" : "one level") + ")"
-                           : " (as asked)") +
-                (free && type == "p multigrid" ? "; no matrix of the fine level is assembled" : "")};
-  }
-
   bool LinearSolver::automatic() const { return implementation_->automatic(); }
 
   void LinearSolver::new_step() { implementation_->new_step(); }

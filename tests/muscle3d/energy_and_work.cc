@@ -92,7 +92,7 @@ namespace myolines
       run.go("backward euler", 2, 0.02, [](const State &) {});
       const WorkLedger &ledger = run.solvers.ledger;
       EXPECT_GT(ledger.counted("residual evaluations"), 0u);
-      for (const char *sweep : {"residual", "assembly", "tangent action"})
+      for (const char *sweep : {"residual", "assembly", "stored tangent"})
         {
           EXPECT_EQ(ledger.counted(std::string("active stress in ") + sweep), 0u);
           EXPECT_EQ(ledger.counted(std::string("force-velocity in ") + sweep), 0u);
@@ -107,7 +107,7 @@ namespace myolines
       run.go("static", 2, 0.02, [](const State &) {});
       const WorkLedger &ledger = run.solvers.ledger;
       EXPECT_GT(ledger.counted("active stress in assembly"), 0u);
-      for (const char *sweep : {"residual", "assembly", "tangent action"})
+      for (const char *sweep : {"residual", "assembly", "stored tangent"})
         {
           EXPECT_EQ(ledger.counted(std::string("mass in ") + sweep), 0u);
           EXPECT_EQ(ledger.counted(std::string("force-velocity in ") + sweep), 0u);

@@ -1,0 +1,42 @@
+#include <myolines/solve/linear_solver.h>
+#include <myolines/solve/preconditioner.h>
+#include <myolines/system/band_linearisation.h>
+
+namespace myolines
+{
+  namespace
+  {
+    std::string rebuilding(const std::string &rebuild)
+    {
+      const std::string cost = "when keeping it has cost as much as a set-up";
+      if (rebuild == "when slow")
+        return "renewed " + cost;
+      return std::string("renewed for every nonlinear solve") + (rebuild == "automatic" ? " if a set-up is cheap, and " : ", and ") + cost;
+    }
+  } // namespace
+
+  std::vector<std::string> LinearSolver::plan(const scene::Node &linear, const scene::Node &preconditioner,
+                                              const Linearisation &linearisation, const std::size_t n_unknowns, const bool constant)
+  {
+    const bool        two_levels = linearisation.has_two_levels();
+    const std::string wanted     = preconditioner.text("type");
+    if (wanted == "p multigrid" && !two_levels)
+      preconditioner.refuse("type", "p multigrid needs a coarser level, which this system does not have",
+                            "another preconditioner, or a muscle of degree 2 or 3");
+    const std::string jacobian  = constant ? "Jacobian: constant, made once" : "Jacobian: made at every Newton iteration";
+    const bool        automatic = wanted == "automatic";
+    if (automatic && dynamic_cast<const BandLinearisation *>(&linearisation) != nullptr)
+      return {jacobian, "linear solves: banded and direct, factors kept while Jacobian and step size stay; no Krylov solver is set up"};
+
+    const std::string type = automatic ? automatic_choice(preconditioner, n_unknowns, two_levels) : wanted;
+    const std::string form = linear.text("operator");
+    const bool        free = form == "matrix-free" || (form == "automatic" && linearisation.action_is_cheap());
+    const std::string why  = form == "automatic" ? (free ? " (its action is cheaper)" : " (no fast action)") : " (as asked)";
+    return {jacobian, "tangent in Krylov solves: " + std::string(free ? "matrix-free" : "assembled") + why,
+            "preconditioner: " + type +
+                (automatic ? " (automatic: " + std::to_string(n_unknowns) + " unknowns, " + (two_levels ? "two levels" : "one level") + ")"
+                           : " (as asked)") +
+                (free && type == "p multigrid" ? "; no matrix of the fine level is assembled" : ""),
+            "preconditioner: " + rebuilding(preconditioner.text("rebuild"))};
+  }
+} // namespace myolines
