@@ -45,7 +45,7 @@ namespace myolines
                 patient_steps_ = 0;
                 return true;
               }
-            if (valid && cut == 0 && patient_steps_ < solve_.patience)
+            if (valid && cut == 0 && patient_steps_ < solve_.patience && trial.norm <= 10 * goal)
               {
                 goal_              = goal;
                 solve_.was_patient = true;

@@ -28,8 +28,8 @@ namespace myolines
   /// Converged: |F_free| <= max(relative tolerance * |F_free after the lift|, absolute tolerance), nothing left to lift.
   /// Line search: accept |F| <= (1 - 1e-4 alpha) |F_0|, else quadratic interpolation clamped to [0.1, 0.5] of the last
   /// alpha; halve at inadmissible points; at most `line search cuts` cuts. Full steps may raise |F| `patience` times in a row
-  /// (watchdog technique, Chamberlain et al., doi:10.1007/BFb0120945): along a Newton step of a nearly incompressible body the
-  /// volume changes to second order, which the next step mends at once and a decreasing |F| forbids.
+  /// (watchdog technique, Chamberlain et al., doi:10.1007/BFb0120945), at most tenfold: along a Newton step of a nearly incompressible body
+  /// the volume changes to second order, which the next step mends at once and a decreasing |F| forbids.
   ///
   /// Ledger: "nonlinear solves", "nonlinear solves begun anew", "newton iterations", "line search cuts". Prints nothing.
   class NonlinearSolver
