@@ -77,6 +77,7 @@ namespace
         catch (const SolveError &)
           {
             fail(row);
+            last = 0;
             continue;
           }
         const double error = relative_error(run.u, reference.u);
