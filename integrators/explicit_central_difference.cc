@@ -18,6 +18,7 @@ namespace myolines
       facts.order     = 2;
       facts.stability = "omega^2 dt^2 + 8 xi omega dt <= 4";
       facts.second_order_only = true;
+      facts.solves            = MethodFacts::Solves::mass;
       return facts;
     }
 

@@ -17,6 +17,7 @@ namespace myolines
       facts.order             = 2;
       facts.stability         = "L-stable for linear systems";
       facts.second_order_only = true;
+      facts.solves            = MethodFacts::Solves::linear_systems;
       return facts;
     }
 

@@ -27,6 +27,12 @@ namespace myolines
       if (facts.order > 0)
         text += "  order " + std::to_string(facts.order) + ", " + facts.stability + "\n";
       text += facts.dynamic ? "" : "  ignores inertia and rates\n";
+      text +=
+          facts.second_order_only ? "  for unknowns of second order only, in systems with inertia\n" : "  for unknowns of every order\n";
+      if (facts.solves == MethodFacts::Solves::linear_systems)
+        text += "  solves linear systems and does not iterate\n";
+      if (facts.solves == MethodFacts::Solves::mass)
+        text += "  explicit: solves with the mass\n";
       text += "  reference: " + facts.reference + "\n";
       text += facts.restart == MethodFacts::Restart::exact ? "  restart: exact\n" : "  restart: reinitialised, the history is lost\n";
       return text;
@@ -137,7 +143,7 @@ namespace myolines
   {
     const SystemEntry             &entry   = system_entry(system, "command line");
     const std::vector<std::string> methods = names_of(integrator_registry(), [](const IntegratorEntry &e) { return e.facts.name; });
-    const std::string              method  = integrator.empty() ? "backward euler" : integrator;
+    const std::string              method  = integrator.empty() ? methods.front() : integrator;
     if (std::find(methods.begin(), methods.end(), method) == methods.end())
       refuse("integrator", method, methods);
 

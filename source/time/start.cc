@@ -92,7 +92,7 @@ namespace myolines
     const Capabilities capabilities = context.system.capabilities();
     if (!facts.second_order_only)
       return;
-    const std::string advice = "backward euler, bdf2, tr-bdf2, sdirk2 and sdirk3 do without";
+    const std::string advice = "`myolines list integrators NAME` tells which unknowns a method is for";
     if (!capabilities.inertia)
       integrator.refuse("type", "\"" + facts.name + "\" needs accelerations, but the system has no inertia",
                         "a method that does without, or a system with inertia", advice);

@@ -23,6 +23,9 @@ FENCES = (
     ("SUNDIALS", r"[<\"](sundials|arkode|cvodes?|idas?|kinsol|nvector)/", ("integrators/sundials_",)),
 )
 
+# The translator names the methods of the program that it translates from.
+MAY_NAME_METHODS = ("source/cli/flexodeal.cc",)
+
 
 def read(path):
     with open(path, encoding="utf-8") as stream:
@@ -123,6 +126,30 @@ def registry_violations(root):
     return found
 
 
+def method_names(root):
+    """As scenes spell them."""
+    names = []
+    for path in files(root, ("integrators",)):
+        if path.endswith(".cc"):
+            names += re.findall(r'facts\.name\s*=\s*"([^"]+)"', read(os.path.join(root, path)))
+    return names
+
+
+def method_violations(path, text, methods):
+    """Only the file of a method names it: others ask the registry."""
+    if room_of(path) == "integrators" or path in MAY_NAME_METHODS:
+        return []
+    found = []
+    for number, line in enumerate(text.splitlines(), 1):
+        for constant in re.findall(r'"((?:[^"\\]|\\.)*)"', line):
+            found += [
+                f"{path}:{number}: the constant names the integrator {name}"
+                for name in methods
+                if re.search(r"(?<![\w-])" + re.escape(name) + r"(?![\w-])", constant)
+            ]
+    return found
+
+
 def length_violations(root):
     found = []
     for path in files(root, SCANNED + ("tests",)):
@@ -135,11 +162,13 @@ def length_violations(root):
 
 def violations(root):
     table = floors(root)
+    methods = method_names(root)
     found = cmake_violations(root, table) + registry_violations(root) + length_violations(root)
     for path in files(root, SCANNED):
         if path.endswith((".h", ".cc")):
             text = without_comments(read(os.path.join(root, path)))
             found += include_violations(root, path, text, table) + fence_violations(path, text)
+            found += method_violations(path, text, methods)
     return found
 
 
@@ -158,8 +187,10 @@ PLANTED = (
     ("source/scene/planted.cc", '#include "../time/loop.h"\n', "a quoted include leaves its folder"),
     ("tests/base/planted.cc", "\n" * (LONGEST_FILE + 1), f"more than {LONGEST_FILE}"),
     ("integrators/planted2.cc", "\n", "has no line in integrators/list.def"),
+    ("source/cli/planted2.cc", 'const char *advice = "bdf2 and sdirk2 do";\n', "the constant names the integrator bdf2"),
 )
 INNOCENT = (
+    ("source/cli/innocent.cc", 'const char *words = "quasi-static"; // unlike "bdf2"\n', ""),
     ("source/fem/innocent.cc", "// Epetra_Map is named here only in words\n#include <myolines/base/error.h>\n", ""),
     ("source/solve/innocent.cc", "#include <Epetra_Map.h>\n#include <NOX.H>\n#include <myolines/algebra/vector.h>\n", ""),
 )

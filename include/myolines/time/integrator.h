@@ -26,6 +26,14 @@ namespace myolines
     /// The method needs accelerations of every unknown: it refuses systems without inertia and unknowns of order 0 or 1.
     bool second_order_only = false;
 
+    /// What a step solves, which says what limits its size.
+    enum class Solves
+    {
+      nonlinear_equations, ///< iterates until they hold: nothing but accuracy
+      linear_systems,      ///< linearly implicit, no iteration: what is left of nonlinear equations is never looked at
+      mass                 ///< explicit: stability
+    } solves = Solves::nonlinear_equations;
+
     /// After load(): exact (bit-equal) or reinitialised (history is lost).
     enum class Restart
     {
