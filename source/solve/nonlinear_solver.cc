@@ -2,6 +2,7 @@
 
 #include <myolines/solve/band_newton.h>
 #include <myolines/solve/lifted_function.h>
+#include <myolines/solve/newton_steps.h>
 #include <myolines/solve/nonlinear_solver.h>
 
 #include <NOX.H>
@@ -20,18 +21,20 @@ namespace myolines
     /// What the parts of one solve share.
     struct Solve
     {
-      LiftedFunction function;
-      WorkLedger    &ledger;
-      double         relative_tolerance;
-      double         absolute_tolerance;
-      unsigned int   maximum_iterations;
-      unsigned int   maximum_cuts;
+      NonlinearProblem &problem;
+      LiftedFunction    function;
+      WorkLedger       &ledger;
+      double            relative_tolerance;
+      double            absolute_tolerance;
+      unsigned int      maximum_iterations;
+      unsigned int      maximum_cuts;
 
-      std::string  reason;
+      std::string  reason            = {};
       bool         inadmissible      = false;
       unsigned int iterations        = 0;
       unsigned int linear_iterations = 0;
       double       initial_norm      = 0;
+      NewtonSteps  steps             = {};
 
       double tolerance() const { return std::max(relative_tolerance * initial_norm, absolute_tolerance); }
     };
@@ -175,6 +178,7 @@ namespace myolines
             if (valid && (trial.norm <= (1 - 1e-4 * alpha) * norm0 || (trial.remaining == 0 && trial.norm <= solve_.tolerance())))
               {
                 step = alpha;
+                solve_.steps.taken(cut == 0 ? solve_.problem.importance(NoxVector::of(direction)) : std::nullopt);
                 return true;
               }
             if (cut == solve_.maximum_cuts)
@@ -241,7 +245,7 @@ namespace myolines
         if (iterations == 0)
           solve_.initial_norm = sample.norm;
         status_ = NOX::StatusTest::Unconverged;
-        if (sample.remaining == 0 && sample.norm <= solve_.tolerance())
+        if (sample.remaining == 0 && (sample.norm <= solve_.tolerance() || solve_.steps.enough()))
           status_ = NOX::StatusTest::Converged;
         else if (iterations >= solve_.maximum_iterations)
           {
@@ -347,17 +351,13 @@ namespace myolines
     ledger_.count("nonlinear solves");
     linear_.new_step();
     x.update_ghost_values();
-    Solve           solve{LiftedFunction(problem, linear_, ledger_, x),
+    Solve           solve{problem,
+                LiftedFunction(problem, linear_, ledger_, x),
                 ledger_,
                 node_.number("relative tolerance"),
                 node_.number("absolute tolerance"),
                 static_cast<unsigned int>(node_.integer("maximum iterations")),
-                static_cast<unsigned int>(node_.integer("line search cuts")),
-                "",
-                false,
-                0,
-                0,
-                0};
+                static_cast<unsigned int>(node_.integer("line search cuts"))};
     const auto      group = Teuchos::rcp(new NoxGroup(solve, x));
     NonlinearReport report;
     try

@@ -44,6 +44,41 @@ TEST(Run, FailedSolveKeepsItsBooks)
   EXPECT_TRUE(std::filesystem::exists(folder / "out/ledger.json"));
 }
 
+TEST(Run, StepsChosenByErrorEndAtTheirMinimum)
+{
+  // A push within a microsecond, smooth, so that no kink tells of it.
+  const TestFolder folder;
+  folder.write("push.xml", R"(<ParameterList name="scene">
+  <ParameterList name="system">
+    <Parameter name="type" type="string" value="oscillator"/>
+    <ParameterList name="force">
+      <Parameter name="type" type="string" value="smooth step"/>
+      <Parameter name="amplitude" type="double" value="1e6"/>
+      <Parameter name="start" type="double" value="0.5"/>
+      <Parameter name="duration" type="double" value="1e-6"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="integrator"><Parameter name="type" type="string" value="tr-bdf2"/></ParameterList>
+  <ParameterList name="time">
+    <Parameter name="end" type="double" value="1"/>
+    <Parameter name="step" type="double" value="0.01"/>
+    <ParameterList name="control">
+      <Parameter name="type" type="string" value="error"/>
+      <Parameter name="minimum step" type="double" value="1e-3"/>
+    </ParameterList>
+  </ParameterList>
+</ParameterList>)");
+  const Outcome checked = run_program(folder, "check push.xml");
+  EXPECT_NE(checked.out.find("Steps: chosen by error from 0 s to 1 s, estimated by the method"), std::string::npos) << checked.out;
+  const Outcome run = run_program(folder, "run push.xml --out out --quiet");
+  EXPECT_EQ(run.exit_code, 3);
+  for (const char *part : {"times the tolerance", "\"minimum step\"", "--resume"})
+    EXPECT_NE(run.err.find(part), std::string::npos) << part << " in: " << run.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/checkpoint"));
+  const Outcome resumed = run_program(folder, "run push.xml --out out --quiet --resume --set \"time/control/minimum step=0\"");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+}
+
 TEST(Check, TellsSizesStepsAndWarnings)
 {
   const TestFolder folder;
