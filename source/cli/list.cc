@@ -26,6 +26,10 @@ namespace myolines
       std::string text;
       if (facts.order > 0)
         text += "  order " + std::to_string(facts.order) + ", " + facts.stability + "\n";
+      if (facts.error_exponent > 0)
+        text += std::string("  error of a step: estimated, of ") + (facts.estimates_velocity ? "u and v" : "u") + "\n";
+      else if (facts.order > 0)
+        text += "  error of a step: by step doubling\n";
       text += facts.dynamic ? "" : "  ignores inertia and rates\n";
       text += "  reference: " + facts.reference + "\n";
       text += facts.restart == MethodFacts::Restart::exact ? "  restart: exact\n" : "  restart: reinitialised, the history is lost\n";

@@ -128,6 +128,6 @@ namespace myolines
   DirkTable sdirk2_table()
   {
     const double gamma = 1 - std::sqrt(0.5);
-    return {{{gamma}, {1 - gamma, gamma}}, {-gamma, gamma}};
+    return {{{gamma}, {1 - gamma, gamma}}, {-gamma / 5, gamma / 5}};
   }
 } // namespace myolines

@@ -309,6 +309,8 @@ namespace myolines
     for (Vector *x : {&error.u, &error.v})
       work_->free->distribute(*x);
     Vector &r = work_->end.u, &more = work_->end.v;
+    r.zero_out_ghost_values();
+    more.zero_out_ghost_values();
     work_->linearisation->apply({{Weights{}, Weights{0, w.v, 0}, Weights{0, w.v, w.a}}}, error.u, r);
     work_->linearisation->apply({{Weights{}, Weights{}, Weights{0, 0, w.v}}}, error.v, more);
     combine(r, {{-1, &r}, {-1, &more}});

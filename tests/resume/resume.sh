@@ -76,8 +76,8 @@ killed_ml) # a hierarchy of more than one level
   killed --set solver/preconditioner/type=ml --set "solver/preconditioner/coarse size=50"
   ;;
 killed_error) # steps chosen by error, some refused
-  killed --set integrator/type=sdirk2 --set time/control/type=error --set "time/control/displacement/relative tolerance=1e-4" \
-    --set "time/control/displacement/absolute tolerance=1e-7"
+  killed --set integrator/type=sdirk2 --set time/control/type=error --set "time/control/displacement/relative tolerance=3e-5" \
+    --set "time/control/displacement/absolute tolerance=3e-8"
   grep -q "error too large" whole/steps.csv || fail "no step was refused"
   ;;
 stopped)
