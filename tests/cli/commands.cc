@@ -79,6 +79,32 @@ TEST(Run, StepsChosenByErrorEndAtTheirMinimum)
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
 }
 
+TEST(Run, OutputNeverChangesTheSteps)
+{
+  const TestFolder folder;
+  folder.write("swing.xml", oscillator_scene);
+  folder.write("muscle.xml", muscle_scene);
+  const std::string by_error = " --quiet --set time/control/type=error --set time/step=0.01 ";
+  ASSERT_EQ(run_program(folder, "run swing.xml --out plain" + by_error).exit_code, 0);
+  ASSERT_EQ(run_program(folder, "run swing.xml --out dense --set output/motion/interval=0.01" + by_error).exit_code, 0);
+  EXPECT_EQ(contents(folder / "dense/steps.csv"), contents(folder / "plain/steps.csv"));
+  const std::string motion = contents(folder / "dense/motion.csv");
+  EXPECT_EQ(motion.substr(0, motion.find('\n')), "Time [s],Displacement [m],Velocity [m/s]");
+  EXPECT_EQ(std::count(motion.begin(), motion.end(), '\n'), 102) << "a header, and 0, 0.01, ..., 1";
+
+  std::string       muscle  = muscle_scene;
+  const std::size_t markers = muscle.find("\"markers\"");
+  ASSERT_NE(markers, std::string::npos);
+  ASSERT_EQ(run_program(folder, "run muscle.xml --out muscle --quiet --set output/motion/interval=0.005").exit_code, 0);
+  EXPECT_NE(contents(folder / "muscle/motion.csv").find("_x [m]"), std::string::npos);
+  const std::size_t begin = muscle.rfind('<', markers);
+  muscle.erase(begin, muscle.find("/>", markers) + 2 - begin);
+  folder.write("muscle.xml", muscle);
+  const Outcome refused = run_program(folder, "check muscle.xml --set output/motion/interval=0.01");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("no markers"), std::string::npos) << refused.err;
+}
+
 TEST(Check, TellsSizesStepsAndWarnings)
 {
   const TestFolder folder;

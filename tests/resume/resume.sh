@@ -75,9 +75,10 @@ killed)
 killed_ml) # a hierarchy of more than one level
   killed --set solver/preconditioner/type=ml --set "solver/preconditioner/coarse size=50"
   ;;
-killed_error) # steps chosen by error, some refused
+killed_error) # steps chosen by error, some refused, and output that does not follow them
   killed --set integrator/type=sdirk2 --set time/control/type=error --set "time/control/displacement/relative tolerance=3e-5" \
-    --set "time/control/displacement/absolute tolerance=3e-8"
+    --set "time/control/displacement/absolute tolerance=3e-8" \
+    --set output/motion/interval=0.004 --set "output/series/markers=middle 0.015 0.005 0.005"
   grep -q "error too large" whole/steps.csv || fail "no step was refused"
   ;;
 stopped)
