@@ -271,9 +271,13 @@ TEST(ErrorControlled, refusesWhatCannotBeEstimated)
   for (const Verified &method : all_cases())
     {
       if (!method.facts.controls_error)
-        EXPECT_THROW(Adaptive(method, {}, 1, {}), InputError) << method.facts.label;
+        {
+          EXPECT_THROW(Adaptive(method, {}, 1, {}), InputError) << method.facts.label;
+        }
       if (!method.entry.facts.estimates_velocity)
-        EXPECT_THROW(Adaptive(method, {}, 1, {"control/velocity/relative tolerance=0.1"}), InputError) << method.facts.label;
+        {
+          EXPECT_THROW(Adaptive(method, {}, 1, {"control/velocity/relative tolerance=0.1"}), InputError) << method.facts.label;
+        }
     }
   EXPECT_THROW(Adaptive({integrator_entry("static"), {}}, {}, 1, {}), InputError);
 }
