@@ -1,5 +1,6 @@
 #include <myolines/time/combination.h>
 #include <myolines/time/dirk.h>
+#include <myolines/time/error_norm.h>
 #include <myolines/time/start.h>
 
 namespace myolines
@@ -14,24 +15,32 @@ namespace myolines
       facts.reference = "Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, doi:10.1007/978-3-540-78862-1, III.5";
       facts.order     = 2;
       facts.stability = "L-stable";
+      facts.error_exponent = 3;
       return facts;
     }
 
     /// With r the ratio of this step to the last one and D x = (1 + 2r)/(1 + r) (x_1 - x_0) - r^2/(1 + r) (x_0 - x_-1):
     /// dt v_1 = D u, dt a_1 = D v, R(t_1, u_1, v_1, a_1) = 0. The first step of a smooth piece is one of a one-step method.
+    ///
+    /// With y = (u, v) the error of a step is (1 + r)^2/(6 r (1 + 2r)) dt^3 y''' + O(dt^4), estimated with the second divided difference
+    /// of y' = (v, a) at the last three ends of steps.
     class Bdf2 : public Integrator
     {
     public:
       Bdf2(const DirkTable &starter, const IntegratorContext &context)
         : linear_(context.system.capabilities().linear)
+        , has_accelerations_(context.error_norm != nullptr && context.system.capabilities().inertia &&
+                             context.system.capabilities().orders == std::vector<unsigned int>{2})
         , context_(context)
         , solver_(context)
-        , starter_(starter, solver_, linear_)
+        , starter_(starter, solver_, context)
       {}
 
       void start(State &state) override
       {
         start_piece(context_, solver_, state);
+        if (has_accelerations_) // of which the estimate needs the first one, too
+          consistent_acceleration(context_, solver_, Side::right, state);
         last_dt_ = 0;
       }
 
@@ -40,11 +49,15 @@ namespace myolines
         allocate(state);
         combine(before_u_, {{1, &state.u}});
         combine(before_v_, {{1, &state.v}});
+        if (estimates())
+          combine(before_a_, {{1, &state.a}});
         StepReport report = last_dt_ == 0 ? starter_.step(dt, state) : go_on(dt, state);
         if (!report.accepted())
           return report;
         combine(last_du_, {{1, &state.u}, {-1, &before_u_}});
         combine(last_dv_, {{1, &state.v}, {-1, &before_v_}});
+        if (estimates())
+          combine(last_da_, {{1, &state.a}, {-1, &before_a_}});
         last_dt_ = dt;
         return report;
       }
@@ -56,6 +69,9 @@ namespace myolines
           return;
         archive.put("last increment of u", last_du_);
         archive.put("last increment of v", last_dv_);
+        archive.put("last increment of a is known", estimates());
+        if (estimates())
+          archive.put("last increment of a", last_da_);
       }
 
       void load(const Archive &archive) override
@@ -66,6 +82,12 @@ namespace myolines
         allocate(context_.system.initial_state(0));
         archive.read("last increment of u", last_du_);
         archive.read("last increment of v", last_dv_);
+        if (!estimates())
+          return;
+        if (archive.number("last increment of a is known") == 0)
+          last_dt_ = 0; // the run to resume made no estimates: begin anew
+        else
+          archive.read("last increment of a", last_da_);
       }
 
     private:
@@ -75,7 +97,9 @@ namespace myolines
           return;
         for (Vector *x : {&d_, &last_du_, &last_dv_, &before_u_, &before_v_})
           *x = state.u;
-        end_ = State{0, state.u, state.u, state.u};
+        end_ = error_ = State{0, state.u, state.u, state.u};
+        if (estimates())
+          last_da_ = before_a_ = state.u;
       }
 
       StepReport go_on(const double dt, State &state)
@@ -92,17 +116,36 @@ namespace myolines
         d_     = 0;
         if (!linear_)
           combine(d_, {{-memory, &last_du_}, {-1 / c, &end_.v}});
-        return solver_.step(stage, end_, d_, state);
+        StepReport report;
+        record(solver_.solve(stage, end_, d_), report);
+        if (report.accepted() && estimates())
+          estimate(dt, state, report);
+        if (report.accepted())
+          swap(state, end_);
+        return report;
+      }
+
+      bool estimates() const { return context_.error_norm != nullptr; }
+
+      void estimate(const double dt, const State &state, StepReport &report)
+      {
+        const double r = dt / last_dt_, factor = (1 + r) / (3 * (1 + 2 * r)) * dt;
+        combine(error_.u, {{factor, &end_.v}, {-factor, &state.v}, {-factor * r, &last_dv_}});
+        combine(error_.v, {{factor, &end_.a}, {-factor, &state.a}, {-factor * r, &last_da_}});
+        record(solver_.damp(error_), report);
+        if (report.accepted())
+          ErrorNorm::judge(context_.error_norm->of_step(error_.u, &error_.v, state, end_), report);
       }
 
       const bool              linear_;
+      const bool              has_accelerations_;
       const IntegratorContext context_;
       StageSolver             solver_;
       DirkStepper             starter_;
       double                  last_dt_ = 0; ///< 0: nothing is remembered
-      Vector                  last_du_, last_dv_;
-      Vector                  d_, before_u_, before_v_;
-      State                   end_;
+      Vector                  last_du_, last_dv_, last_da_;
+      Vector                  d_, before_u_, before_v_, before_a_;
+      State                   end_, error_;
     };
   } // namespace
 
@@ -115,6 +158,8 @@ namespace myolines
                         "Method of the first step of every smooth piece; backward euler leaves an error of second order of its own.");
     entry.make = [](const scene::Node &node, const IntegratorContext &context) -> std::unique_ptr<Integrator> {
       require_fitting_system(facts(), node, context);
+      if (context.error_norm != nullptr && node.text("first step") != "sdirk2")
+        node.refuse("first step", "is \"" + node.text("first step") + "\", which does not estimate its error", "\"sdirk2\"");
       return std::make_unique<Bdf2>(node.text("first step") == "sdirk2" ? sdirk2_table() : DirkTable{{{1}}}, context);
     };
     return entry;

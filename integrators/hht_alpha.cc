@@ -7,12 +7,14 @@ namespace myolines
     MethodFacts facts()
     {
       MethodFacts facts;
-      facts.name              = "hht alpha";
-      facts.summary           = "Hilber, Hughes and Taylor: Newmark's formulas with the force taken between the ends of a step.";
-      facts.reference         = "Hilber, Hughes and Taylor, doi:10.1002/eqe.4290050306; thesis (4.5.1)";
-      facts.order             = 2;
-      facts.stability         = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
-      facts.second_order_only = true;
+      facts.name               = "hht alpha";
+      facts.summary            = "Hilber, Hughes and Taylor: Newmark's formulas with the force taken between the ends of a step.";
+      facts.reference          = "Hilber, Hughes and Taylor, doi:10.1002/eqe.4290050306; thesis (4.5.1)";
+      facts.order              = 2;
+      facts.stability          = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
+      facts.second_order_only  = true;
+      facts.error_exponent     = 3;
+      facts.estimates_velocity = false;
       return facts;
     }
 

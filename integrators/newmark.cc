@@ -7,12 +7,14 @@ namespace myolines
     MethodFacts facts()
     {
       MethodFacts facts;
-      facts.name              = "newmark";
-      facts.summary           = "Newmark's family: accelerations between the ends of a step are interpolated with weights beta and gamma.";
-      facts.reference         = "Newmark, doi:10.1061/JMCEA3.0000098; thesis (4.4.4)";
-      facts.order             = 2;
-      facts.stability         = "unconditional for beta >= gamma/2 >= 1/4, without damping of high frequencies for gamma = 1/2";
-      facts.second_order_only = true;
+      facts.name               = "newmark";
+      facts.summary            = "Newmark's family: accelerations between the ends of a step are interpolated with weights beta and gamma.";
+      facts.reference          = "Newmark, doi:10.1061/JMCEA3.0000098; thesis (4.4.4)";
+      facts.order              = 2;
+      facts.stability          = "unconditional for beta >= gamma/2 >= 1/4, without damping of high frequencies for gamma = 1/2";
+      facts.second_order_only  = true;
+      facts.error_exponent     = 3;
+      facts.estimates_velocity = false;
       return facts;
     }
 

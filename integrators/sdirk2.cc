@@ -9,9 +9,10 @@ namespace myolines
       MethodFacts facts;
       facts.name    = "sdirk2";
       facts.summary = "Singly diagonally implicit Runge-Kutta of two stages, gamma = 1 - 1/sqrt(2): second order, damps all that is stiff.";
-      facts.reference = "Alexander, Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s, doi:10.1137/0714068";
-      facts.order     = 2;
-      facts.stability = "L-stable, stiffly accurate";
+      facts.reference      = "Alexander, Diagonally implicit Runge-Kutta methods for stiff O.D.E.'s, doi:10.1137/0714068";
+      facts.order          = 2;
+      facts.stability      = "L-stable, stiffly accurate";
+      facts.error_exponent = 2;
       return facts;
     }
   } // namespace

@@ -14,15 +14,17 @@ namespace myolines
       facts.reference         = "Bank et al., doi:10.1109/T-ED.1985.22232; Hosea and Shampine, doi:10.1016/0168-9274(95)00115-8";
       facts.order             = 2;
       facts.stability         = "L-stable, stiffly accurate";
+      facts.error_exponent    = 3;
       facts.second_order_only = true; // the trapezoidal stage begins from a_0
       return facts;
     }
 
-    /// As a Runge-Kutta method whose first stage is the beginning of the step; both implicit stages have the weight d.
+    /// As a Runge-Kutta method whose first stage is the beginning of the step; both implicit stages have the weight d. The
+    /// embedded formula is of third order (Hosea and Shampine, table 1).
     DirkTable table()
     {
       const double d = 1 - std::sqrt(0.5), w = std::sqrt(0.125);
-      return {{{0}, {d, d}, {w, w, d}}};
+      return {{{0}, {d, d}, {w, w, d}}, {w - (1 - w) / 3, w - (3 * w + 1) / 3, d - d / 3}};
     }
   } // namespace
 

@@ -7,12 +7,14 @@ namespace myolines
     MethodFacts facts()
     {
       MethodFacts facts;
-      facts.name              = "wbz alpha";
-      facts.summary           = "Wood, Bossak and Zienkiewicz: Newmark's formulas with the inertia taken between the ends of a step.";
-      facts.reference         = "Wood, Bossak and Zienkiewicz, doi:10.1002/nme.1620151011";
-      facts.order             = 2;
-      facts.stability         = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
-      facts.second_order_only = true;
+      facts.name               = "wbz alpha";
+      facts.summary            = "Wood, Bossak and Zienkiewicz: Newmark's formulas with the inertia taken between the ends of a step.";
+      facts.reference          = "Wood, Bossak and Zienkiewicz, doi:10.1002/nme.1620151011";
+      facts.order              = 2;
+      facts.stability          = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
+      facts.second_order_only  = true;
+      facts.error_exponent     = 3;
+      facts.estimates_velocity = false;
       return facts;
     }
 

@@ -67,7 +67,16 @@ namespace myolines
     /// "8 x 0.025 s", equal neighbours together.
     void print_steps(const Experiment &experiment, std::ostream &out)
     {
-      const std::vector<double> sizes = experiment.planned_steps();
+      const auto planned = experiment.planned_steps();
+      if (!planned)
+        {
+          out << "Steps: chosen by error from " << experiment.settings().start << " s to " << experiment.settings().end << " s, "
+              << (experiment.method().error_exponent != 0 ? "estimated by the method"
+                                                          : "estimated by taking every step whole and in halves")
+              << "\n";
+          return;
+        }
+      const std::vector<double> &sizes = *planned;
       out << "Steps: " << sizes.size() << " from " << experiment.settings().start << " s to " << experiment.settings().end
           << " s, if none is rejected\n";
       unsigned int lines = 0;

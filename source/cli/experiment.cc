@@ -1,6 +1,7 @@
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
+#include <myolines/time/error_control.h>
 #include <myolines/time/start.h>
 
 namespace myolines
@@ -44,10 +45,12 @@ namespace myolines
     solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
                                       *assembled_.system->make_linearisation(), assembled_.system->n_unknowns(),
                                       assembled_.system->capabilities().linear);
-    control_     = make_step_control(scene_.section("time"));
     const scene::Node &time = scene_.section("time");
-    integrator_             = method_.make(scene_.section("integrator"),
-                                           IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time)});
+    error_norm_             = make_error_norm(time, *assembled_.system);
+    control_                = make_step_control(time, error_exponent(method_.facts));
+    integrator_             = make_integrator(
+                    method_, scene_.section("integrator"),
+                    IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time), error_norm_.get()});
   }
 
   void Experiment::refuse_ignored_inertia() const
@@ -83,8 +86,10 @@ namespace myolines
     run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_, &keeper);
   }
 
-  std::vector<double> Experiment::planned_steps() const
+  std::optional<std::vector<double>> Experiment::planned_steps() const
   {
+    if (error_norm_)
+      return std::nullopt;
     DryIntegrator                      dry;
     WorkLedger                         unused;
     const std::unique_ptr<StepControl> control = make_step_control(scene_.section("time"));

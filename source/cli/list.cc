@@ -26,6 +26,10 @@ namespace myolines
       std::string text;
       if (facts.order > 0)
         text += "  order " + std::to_string(facts.order) + ", " + facts.stability + "\n";
+      if (facts.error_exponent > 0)
+        text += std::string("  error of a step: estimated, of ") + (facts.estimates_velocity ? "u and v" : "u") + "\n";
+      else if (facts.order > 0)
+        text += "  error of a step: by step doubling\n";
       text += facts.dynamic ? "" : "  ignores inertia and rates\n";
       text +=
           facts.second_order_only ? "  for unknowns of second order only, in systems with inertia\n" : "  for unknowns of every order\n";

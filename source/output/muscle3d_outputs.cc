@@ -1,4 +1,5 @@
 #include <myolines/base/names.h>
+#include <myolines/output/dense_output.h>
 #include <myolines/output/markers.h>
 #include <myolines/output/muscle3d_fields.h>
 #include <myolines/output/muscle3d_files.h>
@@ -126,6 +127,29 @@ namespace myolines
       std::vector<std::unique_ptr<SeriesFile>> files_;
       WorkLedger                              &ledger_;
     };
+
+    std::unique_ptr<Observer> motion_of_markers(const Node &output, const Muscle3dSystem &system, const OutputFolder &folder)
+    {
+      const Node               &series  = output.section("series");
+      const std::vector<Marker> markers = read_markers(series);
+      if (markers.empty())
+        output.refuse("motion", "there are no markers whose motion could be written",
+                      "\"markers\" or \"markers file\" in \"output/series\"");
+      std::vector<std::string> columns;
+      for (const Marker &marker : markers)
+        for (const char *axis : {"_x [m]", "_y [m]", "_z [m]"})
+          columns.push_back(marker.name + axis);
+      const auto probe = std::make_shared<MarkerProbe>(system, markers, markers_origin(series));
+      return make_motion(
+          output.section("motion"), columns,
+          [probe](const State &state) {
+            std::vector<double> row;
+            for (const dealii::Tensor<1, 3> &u : probe->displacements(state))
+              row.insert(row.end(), {u[0], u[1], u[2]});
+            return row;
+          },
+          folder);
+    }
   } // namespace
 
   Schema muscle3d_output_schema()
@@ -133,7 +157,8 @@ namespace myolines
     return Schema("What to write.")
         .section("series", series_schema())
         .optional_section("fields", fields_schema())
-        .optional_section("quadrature", point_tables_schema());
+        .optional_section("quadrature", point_tables_schema())
+        .optional_section("motion", motion_schema("displacements of the markers of the series"));
   }
 
   std::vector<std::unique_ptr<Observer>> make_outputs(const Node &output, const Muscle3dSystem &system, const OutputFolder &folder,
@@ -145,6 +170,8 @@ namespace myolines
       observers.push_back(make_fields(output.section("fields"), system, folder, ledger));
     if (output.has("quadrature"))
       observers.push_back(make_point_tables(output.section("quadrature"), system, folder, ledger));
+    if (output.has("motion"))
+      observers.push_back(motion_of_markers(output, system, folder));
     return observers;
   }
 } // namespace myolines

@@ -1,4 +1,5 @@
 #include <myolines/output/csv_file.h>
+#include <myolines/output/dense_output.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/periodic_output.h>
 
@@ -50,7 +51,9 @@ namespace myolines
   {
     scene::Schema series("Time series: trajectory.csv.");
     series.integer("every", 1, scene::Range::closed(1, 1e9), "A row at the start, after every so many accepted steps, and at the end.");
-    return scene::Schema("What to write.").section("series", series);
+    return scene::Schema("What to write.")
+        .section("series", series)
+        .optional_section("motion", motion_schema("displacement and velocity of the mass"));
   }
 
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system, const OutputFolder &folder,
@@ -58,6 +61,13 @@ namespace myolines
   {
     std::vector<std::unique_ptr<Observer>> observers;
     observers.push_back(std::make_unique<Trajectory>(system, output.section("series").integer("every"), folder));
+    if (output.has("motion"))
+      observers.push_back(make_motion(
+          output.section("motion"), {"Displacement [m]", "Velocity [m/s]"},
+          [](const State &state) {
+            return std::vector<double>{state.u[0], state.v[0]};
+          },
+          folder));
     return observers;
   }
 } // namespace myolines

@@ -1,10 +1,11 @@
 #include <myolines/output/csv_file.h>
+#include <myolines/output/dense_output.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/periodic_output.h>
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace myolines
@@ -28,6 +29,30 @@ namespace myolines
       return values;
     }
 
+    std::vector<std::string> trace_columns(const std::vector<double> &places)
+    {
+      std::vector<std::string> names;
+      for (const char *quantity : {"u", "v"})
+        for (const double place : places)
+          names.push_back(std::string(quantity) + "(" + scene::format_number(place) + " L) [" + (quantity[0] == 'u' ? "m]" : "m/s]"));
+      return names;
+    }
+
+    std::vector<std::string> with_time(std::vector<std::string> names)
+    {
+      names.insert(names.begin(), "Time [s]");
+      return names;
+    }
+
+    std::vector<double> trace(const Rod1dSystem &system, const std::vector<double> &places, const State &state)
+    {
+      std::vector<double> values;
+      for (const Vector *x : {&state.u, &state.v})
+        for (const double place : places)
+          values.push_back(system.value(*x, place * system.parameters().length));
+      return values;
+    }
+
     /// trace.csv and reaction.csv.
     class RodSeries : public PeriodicOutput
     {
@@ -36,7 +61,7 @@ namespace myolines
         : PeriodicOutput(every)
         , system_(system)
         , places_(places)
-        , trace_(folder, "trace.csv", columns(places))
+        , trace_(folder, "trace.csv", with_time(trace_columns(places)))
         , reaction_(folder, "reaction.csv", {"Time [s]", "moving end x [N]", "fixed end x [N]"})
       {}
 
@@ -47,21 +72,10 @@ namespace myolines
       }
 
     private:
-      static std::vector<std::string> columns(const std::vector<double> &places)
-      {
-        std::vector<std::string> names{"Time [s]"};
-        for (const char *quantity : {"u", "v"})
-          for (const double place : places)
-            names.push_back(std::string(quantity) + "(" + scene::format_number(place) + " L) [" + (quantity[0] == 'u' ? "m]" : "m/s]"));
-        return names;
-      }
-
       void write(const State &state, const Side side, std::size_t) override
       {
-        std::vector<double> row{state.t};
-        for (const Vector *x : {&state.u, &state.v})
-          for (const double place : places_)
-            row.push_back(system_.value(*x, place * system_.parameters().length));
+        std::vector<double> row = trace(system_, places_, state);
+        row.insert(row.begin(), state.t);
         trace_.row(row);
         Vector r(state.u);
         system_.residual({state.t, side, state.u, state.v, state.a}, r);
@@ -73,76 +87,40 @@ namespace myolines
       CsvFile                   trace_, reaction_;
     };
 
-    /// nodal_states.csv. Times between the ends of steps are interpolated, u by the cubic that has u and v of both ends and v
-    /// by its derivative.
-    class NodalStates : public Observer
+    /// nodal_states.csv.
+    class NodalStates : public DenseOutput
     {
     public:
-      NodalStates(const Rod1dSystem &system, std::vector<double> times, const OutputFolder &folder)
-        : system_(system)
-        , times_(std::move(times))
+      /// @p times ascend.
+      NodalStates(const Rod1dSystem &system, const std::vector<double> &times, const OutputFolder &folder)
+        : DenseOutput([times](const std::size_t i) { return i < times.size() ? times[i] : std::numeric_limits<double>::infinity(); },
+                      "nodal states written", folder)
+        , system_(system)
         , csv_(folder, "nodal_states.csv", {"Time [s]", "X [m]", "u [m]", "v [m/s]"})
-      {
-        std::sort(times_.begin(), times_.end());
-        if (folder.saved != nullptr && folder.saved->has_numbers("nodal states written"))
-          next_ = static_cast<std::size_t>(folder.saved->number("nodal states written"));
-      }
+      {}
 
       void save(Archive &archive) const override
       {
+        DenseOutput::save(archive);
         csv_.save(archive);
-        archive.put("nodal states written", static_cast<double>(next_));
-      }
-
-      void resume(const State &state, std::size_t) override { last_ = state; }
-
-      void begin(const State &state) override
-      {
-        for (; next_ < times_.size() && times_[next_] <= state.t; ++next_)
-          if (times_[next_] == state.t)
-            write(times_[next_], state);
-        last_ = state;
-      }
-
-      void accepted(const State &state, const StepRecord &record) override
-      {
-        const double same = 1e-9 * record.dt; // rounding in sums of steps does not make a time fall between two
-        for (; next_ < times_.size() && times_[next_] <= state.t + same; ++next_)
-          if (times_[next_] >= state.t - same)
-            write(times_[next_], state);
-          else
-            write(times_[next_], interpolated(times_[next_], state));
-        last_ = state;
       }
 
     private:
-      State interpolated(const double t, const State &end) const
-      {
-        State        state = end;
-        const double h = end.t - last_.t, s = (t - last_.t) / h;
-        const double h00 = (1 + 2 * s) * (1 - s) * (1 - s), h10 = s * (1 - s) * (1 - s) * h, h01 = s * s * (3 - 2 * s),
-                     h11   = s * s * (s - 1) * h;
-        const double slope = 6 * s * (1 - s) / h, d10 = (1 - s) * (1 - 3 * s), d11 = s * (3 * s - 2);
-        for (unsigned int i = 0; i < end.u.size(); ++i)
-          {
-            state.u[i] = h00 * last_.u[i] + h10 * last_.v[i] + h01 * end.u[i] + h11 * end.v[i];
-            state.v[i] = slope * (end.u[i] - last_.u[i]) + d10 * last_.v[i] + d11 * end.v[i];
-          }
-        return state;
-      }
-
-      void write(const double t, const State &state)
+      void write(const double t, const State &state) override
       {
         for (unsigned int i = 0; i < state.u.size(); ++i)
           csv_.row(std::vector<double>{t, system_.position(i), state.u[i], state.v[i]});
       }
 
-      const Rod1dSystem  &system_;
-      std::vector<double> times_;
-      std::size_t         next_ = 0;
-      State               last_;
-      CsvFile             csv_;
+      const Rod1dSystem &system_;
+      CsvFile            csv_;
     };
+
+    std::vector<double> sorted(std::vector<double> numbers)
+    {
+      std::sort(numbers.begin(), numbers.end());
+      return numbers;
+    }
   } // namespace
 
   scene::Schema rod1d_output_schema()
@@ -152,7 +130,10 @@ namespace myolines
         .text("places", "0.25 0.5 0.9 1", "Where, in parts of the length, separated by spaces.");
     scene::Schema states("All nodes at some instants: nodal_states.csv.");
     states.text("times", std::nullopt, "Instants [s], separated by spaces; interpolated where no step ends.");
-    return scene::Schema("What to write.").section("series", series).optional_section("nodal states", states);
+    return scene::Schema("What to write.")
+        .section("series", series)
+        .optional_section("nodal states", states)
+        .optional_section("motion", motion_schema("displacement and velocity at the places of the series"));
   }
 
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Rod1dSystem &system, const OutputFolder &folder,
@@ -166,7 +147,11 @@ namespace myolines
     observers.push_back(std::make_unique<RodSeries>(system, series.integer("every"), places, folder));
     if (output.has("nodal states"))
       observers.push_back(std::make_unique<NodalStates>(
-          system, numbers(output.section("nodal states"), "times", "times [s], separated by spaces"), folder));
+          system, sorted(numbers(output.section("nodal states"), "times", "times [s], separated by spaces")), folder));
+    if (output.has("motion"))
+      observers.push_back(make_motion(
+          output.section("motion"), trace_columns(places), [&system, places](const State &state) { return trace(system, places, state); },
+          folder));
     return observers;
   }
 } // namespace myolines

@@ -47,6 +47,8 @@ namespace myolines
          << "  linear " << record.report.linear_iterations;
     text.precision(2);
     text << std::scientific << "  residual " << record.report.initial_residual << " -> " << record.report.final_residual;
+    if (record.report.error_estimate)
+      text << "  error " << *record.report.error_estimate << " of the tolerance";
     return text.str();
   }
 

@@ -1,4 +1,5 @@
 #include <myolines/solve/band_newton.h>
+#include <myolines/solve/newton_steps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +118,8 @@ namespace myolines
         report.inadmissible = true;
         return report;
       }
-    bool linearised = false;
+    bool        linearised = false;
+    NewtonSteps steps;
     if (remaining != 0)
       {
         problem.linearise(x);
@@ -130,7 +132,7 @@ namespace myolines
     for (;; linearised = false)
       {
         report.final_residual = norm_;
-        if (remaining == 0 && (norm_ <= tolerance || (report.iterations > 0 && problem.affine())))
+        if (remaining == 0 && (norm_ <= tolerance || (report.iterations > 0 && problem.affine()) || steps.enough()))
           {
             report.converged = true;
             return report;
@@ -179,13 +181,16 @@ namespace myolines
         if (remaining != 0)
           for (unsigned int i = 0; i < g_.size(); ++i)
             direction_.local_element(i) += gap_.local_element(i);
-        if (!search(problem, x, remaining, tolerance, report))
+        const std::optional<double> part = search(problem, x, remaining, tolerance, report);
+        if (!part)
           return report;
+        steps.taken(*part == 1 ? problem.importance(direction_) : std::nullopt);
       }
   }
 
-  /// Residual backtracking, see the class comment of NonlinearSolver.
-  bool BandNewton::search(NonlinearProblem &problem, Vector &x, double &remaining, const double tolerance, NonlinearReport &report)
+  /// Residual backtracking, see the class comment of NonlinearSolver. The part of the step that was taken, or none.
+  std::optional<double> BandNewton::search(NonlinearProblem &problem, Vector &x, double &remaining, const double tolerance,
+                                           NonlinearReport &report)
   {
     const double norm0 = norm_, open = remaining;
     double       alpha = 1;
@@ -201,7 +206,7 @@ namespace myolines
         if (evaluation.admissible && (problem.affine() || norm_ <= (1 - 1e-4 * alpha) * norm0 || (remaining == 0 && norm_ <= tolerance)))
           {
             x.swap(trial_);
-            return true;
+            return alpha;
           }
         if (cut == line_search_cuts_)
           {
@@ -213,7 +218,7 @@ namespace myolines
               text << "the state is inadmissible (" << evaluation.reason << ")";
             report.reason       = text.str();
             report.inadmissible = !evaluation.admissible;
-            return false;
+            return std::nullopt;
           }
         ledger_.count("line search cuts");
         // the minimiser of the parabola through |G|^2 at 0, with slope -2 |G_0|^2, and at alpha

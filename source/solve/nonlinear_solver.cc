@@ -1,6 +1,7 @@
 #include "nox_group.h"
 
 #include <myolines/solve/band_newton.h>
+#include <myolines/solve/newton_steps.h>
 #include <myolines/solve/nonlinear_solver.h>
 
 #include <NOX_GlobalData.H>
@@ -43,6 +44,7 @@ namespace myolines
             if (valid && (trial.norm <= (1 - 1e-4 * alpha) * goal || (trial.remaining == 0 && trial.norm <= solve_.tolerance())))
               {
                 patient_steps_ = 0;
+                solve_.steps.taken(cut == 0 ? solve_.problem.importance(NoxVector::of(direction)) : std::nullopt);
                 return true;
               }
             if (valid && cut == 0 && patient_steps_ < solve_.patience && trial.norm <= 10 * goal)
@@ -50,6 +52,7 @@ namespace myolines
                 goal_              = goal;
                 solve_.was_patient = true;
                 ++patient_steps_;
+                solve_.steps.taken(std::nullopt);
                 return true;
               }
             if (cut == solve_.maximum_cuts || patient_steps_ > 0)
@@ -118,7 +121,7 @@ namespace myolines
         if (iterations == 0)
           solve_.initial_norm = sample.norm;
         status_ = NOX::StatusTest::Unconverged;
-        if (sample.remaining == 0 && sample.norm <= solve_.tolerance())
+        if (sample.remaining == 0 && (sample.norm <= solve_.tolerance() || solve_.steps.enough()))
           status_ = NOX::StatusTest::Converged;
         else if (iterations >= solve_.maximum_iterations)
           {
@@ -223,7 +226,8 @@ namespace myolines
 
   bool NonlinearSolver::Implementation::attempt(NonlinearProblem &problem, Vector &x, const unsigned int patience, NonlinearReport &report)
   {
-    NoxSolve   solve{LiftedFunction(problem, linear_, ledger_, x),
+    NoxSolve   solve{problem,
+                   LiftedFunction(problem, linear_, ledger_, x),
                    ledger_,
                    node_.number("relative tolerance"),
                    node_.number("absolute tolerance"),

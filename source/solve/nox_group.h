@@ -3,6 +3,7 @@
 #include "nox_vector.h"
 
 #include <myolines/solve/lifted_function.h>
+#include <myolines/solve/newton_steps.h>
 
 #include <NOX.H>
 
@@ -11,13 +12,14 @@ namespace myolines
   /// What the parts of one solve with NOX share.
   struct NoxSolve
   {
-    LiftedFunction function;
-    WorkLedger    &ledger;
-    double         relative_tolerance;
-    double         absolute_tolerance;
-    unsigned int   maximum_iterations;
-    unsigned int   maximum_cuts;
-    unsigned int   patience; ///< steps in a row that may raise |G|
+    NonlinearProblem &problem;
+    LiftedFunction    function;
+    WorkLedger       &ledger;
+    double            relative_tolerance;
+    double            absolute_tolerance;
+    unsigned int      maximum_iterations;
+    unsigned int      maximum_cuts;
+    unsigned int      patience; ///< steps in a row that may raise |G|
 
     bool         was_patient       = false;
     std::string  reason            = "";
@@ -25,6 +27,7 @@ namespace myolines
     unsigned int iterations        = 0;
     unsigned int linear_iterations = 0;
     double       initial_norm      = 0;
+    NewtonSteps  steps             = {};
 
     double tolerance() const { return std::max(relative_tolerance * initial_norm, absolute_tolerance); }
   };

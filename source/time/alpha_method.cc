@@ -1,5 +1,6 @@
 #include <myolines/time/alpha_method.h>
 #include <myolines/time/combination.h>
+#include <myolines/time/error_norm.h>
 #include <myolines/time/start.h>
 
 #include <cmath>
@@ -54,8 +55,14 @@ namespace myolines
             combine(history_, {{c_.alpha_f, &force_}});
             stage.history = &history_;
           }
-        StepReport report = solver_.step(stage, end_, d_, state);
-        if (keeps_force_ && report.accepted())
+        StepReport report;
+        record(solver_.solve(stage, end_, d_), report);
+        if (context_.error_norm != nullptr && report.accepted())
+          estimate(dt, state, report);
+        if (!report.accepted())
+          return report;
+        swap(state, end_);
+        if (keeps_force_)
           keep_force(state, report);
         return report;
       }
@@ -116,6 +123,17 @@ namespace myolines
         average.weight = {1 - alpha_f, 1 - alpha_f, (1 - c_.alpha_m) / stage.scale};
       }
 
+      void estimate(const double dt, const State &state, StepReport &report)
+      {
+        State &error = offset_;
+        combine(error.u, {{dt * dt * error_constant(c_), &end_.a}, {-dt * dt * error_constant(c_), &state.a}});
+        error.v = 0;
+        if (c_.beta != 0) // else the matrix of the step does not know what is stiff
+          record(solver_.damp(error), report);
+        if (report.accepted())
+          ErrorNorm::judge(context_.error_norm->of_step(error.u, nullptr, state, end_), report);
+      }
+
       /// F(t, u, v) = R(t, u, v, 0).
       Evaluation force(const State &state, const Side side, Vector &f) const
       {
@@ -157,6 +175,8 @@ namespace myolines
 
   unsigned int order(const AlphaCoefficients &c) { return std::abs(c.gamma - (0.5 - c.alpha_m + c.alpha_f)) < 1e-12 ? 2 : 1; }
 
+  double error_constant(const AlphaCoefficients &c) { return c.beta + (c.alpha_m - c.alpha_f) / 2 - 1. / 6; }
+
   double amplification_of_scheme_rates(const AlphaCoefficients &c)
   {
     return c.beta == 0 ? 0 : larger_root(2 - (c.gamma + 0.5) / c.beta, 1 - (c.gamma - 0.5) / c.beta);
@@ -197,6 +217,9 @@ namespace myolines
     require_fitting_system(facts, integrator, context);
     if (amplification_of_scheme_rates(coefficients) > 1 + 1e-7)
       refuse_scheme_rates(integrator, context);
+    if (context.error_norm != nullptr && std::abs(error_constant(coefficients)) < 1e-6)
+      integrator.refuse("type", "with these parameters the error of a step is of higher order than what estimates it",
+                        "another \"time/control/type\", or other parameters", "beta + (alpha_m - alpha_f)/2 must not be 1/6");
     return std::make_unique<AlphaMethod>(coefficients, force, context);
   }
 

@@ -1,5 +1,6 @@
 #include <myolines/time/combination.h>
 #include <myolines/time/dirk.h>
+#include <myolines/time/error_norm.h>
 #include <myolines/time/start.h>
 
 #include <cmath>
@@ -16,7 +17,7 @@ namespace myolines
         : needs_acceleration_(table.explicit_first_stage())
         , context_(context)
         , solver_(context)
-        , stepper_(table, solver_, context.system.capabilities().linear)
+        , stepper_(table, solver_, context)
       {}
 
       void start(State &state) override
@@ -94,8 +95,27 @@ namespace myolines
           return report;
         combine(increment_, {{1, &stages_[i].u}, {-1, &state.u}});
       }
-    swap(state, stages_.back());
+    if (error_norm_ != nullptr && !table_.error.empty())
+      estimate(dt, state, report);
+    if (report.accepted())
+      swap(state, stages_.back());
     return report;
+  }
+
+  void DirkStepper::estimate(const double dt, const State &state, StepReport &report)
+  {
+    if (error_.u.size() == 0)
+      error_ = state;
+    error_.u = 0;
+    error_.v = 0;
+    for (std::size_t i = 0; i < stages_.size(); ++i)
+      {
+        add(error_.u, dt * table_.error[i], stages_[i].v);
+        add(error_.v, dt * table_.error[i], stages_[i].a);
+      }
+    record(solver_.damp(error_), report);
+    if (report.accepted())
+      ErrorNorm::judge(error_norm_->of_step(error_.u, &error_.v, state, stages_.back()), report);
   }
 
   std::unique_ptr<Integrator> make_dirk(const DirkTable &table, const MethodFacts &facts, const scene::Node &integrator,
@@ -108,6 +128,6 @@ namespace myolines
   DirkTable sdirk2_table()
   {
     const double gamma = 1 - std::sqrt(0.5);
-    return {{{gamma}, {1 - gamma, gamma}}};
+    return {{{gamma}, {1 - gamma, gamma}}, {-gamma / 5, gamma / 5}};
   }
 } // namespace myolines

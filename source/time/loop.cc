@@ -1,8 +1,10 @@
 #include <myolines/base/error.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/time/loop.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace myolines
@@ -34,6 +36,7 @@ namespace myolines
       {
         if (settings.events != Events::ignore)
           events_ = system.events(settings.start, settings.end);
+        std::merge(events_.begin(), events_.end(), settings.landings.begin(), settings.landings.end(), std::back_inserter(landings_));
       }
 
       /// Tells keeper and observers how it ends; the errors thrown are those that all ranks agree on, or others.
@@ -75,10 +78,11 @@ namespace myolines
             observer->resume(state_, number_);
         while (state_.t < settings_.end)
           {
-            if (settings_.events == Events::restart && at_event())
+            if (settings_.events == Events::restart && at_event() && restarted_at_ != state_.t)
               {
                 ledger_.count("restarts at events");
                 integrator_.start(state_);
+                restarted_at_ = state_.t;
               }
             attempt();
           }
@@ -102,18 +106,21 @@ namespace myolines
       bool at_event() const { return std::binary_search(events_.begin(), events_.end(), state_.t); }
 
       /// The earliest of what must be landed on; of times that agree up to a sliver the one known best wins:
-      /// an event before a planned step, the end before both.
+      /// an event or another given time before a planned step, the end before both.
       Landing landing() const
       {
         const double t        = state_.t;
-        const double proposed = control_.propose(t);
+        double       proposed = control_.propose(t);
         const double merge    = sliver * proposed;
         double       target   = control_.next_landing(t);
-        const auto   event    = std::upper_bound(events_.begin(), events_.end(), t);
-        if (event != events_.end() && *event <= target + merge)
-          target = *event;
+        const auto   fixed    = std::upper_bound(landings_.begin(), landings_.end(), t);
+        const bool   planned  = std::isfinite(target);
+        if (fixed != landings_.end() && *fixed <= target + merge)
+          target = *fixed;
         if (settings_.end <= target + merge)
           target = settings_.end;
+        if (!planned && target - t < 2 * proposed && target - t > proposed + merge)
+          proposed = (target - t) / 2; // rather two equal steps than a long and a very short one
         if (t + proposed < target - merge)
           target = t + proposed;
         return {target, exact_difference(t, target)};
@@ -166,8 +173,7 @@ namespace myolines
           return;
         std::ostringstream text;
         text << "The step from t = " << state_.t << " s of size " << record.dt << " s failed: " << record.report.reason
-             << ". To try: a smaller \"time/step\", \"time/control/type\" = \"cut back\" with more \"maximum cuts\", or more "
-                "\"solver/nonlinear/maximum iterations\".";
+             << ". To try: " << control_.advice() << ".";
         throw SolveError(text.str());
       }
 
@@ -179,8 +185,29 @@ namespace myolines
       WorkLedger                    &ledger_;
       Keeper                        *keeper_;
       std::vector<double>            events_;
+      std::vector<double>            landings_; ///< events and others
       std::size_t                    number_;
+      std::optional<double>          restarted_at_; ///< once, also if steps from there are repeated
     };
+  } // namespace
+
+  namespace
+  {
+    std::vector<double> landings(const scene::Node &time, const LoopSettings &settings)
+    {
+      std::vector<double> times;
+      std::istringstream  words(time.text("land on"));
+      for (std::string word; words >> word;)
+        {
+          const std::optional<double> t = scene::parse_number(word);
+          if (!t || *t <= settings.start || *t > settings.end)
+            time.refuse("land on", "\"" + word + "\" is not a time between \"start\" and \"end\"", "times [s] separated by spaces",
+                        "for example \"0.1 0.25\"");
+          times.push_back(*t);
+        }
+      std::sort(times.begin(), times.end());
+      return times;
+    }
   } // namespace
 
   LoopSettings loop_settings(const scene::Node &time)
@@ -190,6 +217,8 @@ namespace myolines
     settings.end             = time.number("end");
     const std::string events = time.text("events");
     settings.events          = events == "restart" ? Events::restart : events == "land" ? Events::land : Events::ignore;
+    if (time.has("land on"))
+      settings.landings = landings(time, settings);
     return settings;
   }
 

@@ -1,5 +1,6 @@
 #include <myolines/solve/free_unknowns.h>
 #include <myolines/time/combination.h>
+#include <myolines/time/error_norm.h>
 #include <myolines/time/stage.h>
 
 #include <cmath>
@@ -16,6 +17,7 @@ namespace myolines
     explicit Work(const IntegratorContext &context)
       : system(context.system)
       , rates(context.boundary_rates)
+      , error_norm(context.error_norm)
       , capabilities(system.capabilities())
       , linearisation(system.make_linearisation())
     {}
@@ -44,6 +46,7 @@ namespace myolines
 
     const SemiDiscreteSystem      &system;
     const BoundaryRates            rates;
+    const ErrorNorm               *error_norm; ///< or none
     const Capabilities             capabilities;
     std::unique_ptr<Linearisation> linearisation;
     bool                           linearised = false;
@@ -51,6 +54,7 @@ namespace myolines
     std::vector<unsigned int>      constrained_rows; ///< local numbers
     State                          end;              ///< of the stage
     State                          average;          ///< where the residual is evaluated, if not there
+    Weights                        weights;          ///< of the last stage
   };
 
   namespace
@@ -79,6 +83,12 @@ namespace myolines
       work_.allocate(d);
       const Weights at = stage.average != nullptr ? stage.average->weight : Weights{1, 1, 1};
       weights_         = stage_weights(stage.scale * at.u * stage.c.u, stage.scale * at.v * stage.c.v, stage.scale * at.a * stage.c.a);
+      work_.weights    = weights_[2];
+      if (work_.error_norm != nullptr)
+        {
+          size_u_ = work_.error_norm->rms(predictor.u);
+          size_v_ = work_.error_norm->rms(predictor.v);
+        }
       if (stage.prescribed)
         shift_predictors(d);
     }
@@ -121,6 +131,14 @@ namespace myolines
     double resolution() const override
     {
       return stage_.c.u == 0 ? 0 : 16 * std::numeric_limits<double>::epsilon() * predictor_.u.linfty_norm() / std::abs(stage_.c.u);
+    }
+
+    /// Explicit stages have one solution that costs nothing more.
+    std::optional<double> importance(const Vector &dx) const override
+    {
+      if (work_.error_norm == nullptr || stage_.c.u == 0)
+        return std::nullopt;
+      return work_.error_norm->of_solve(dx, stage_.c, size_u_, size_v_);
     }
 
     /// Turns the predictors into the end of the stage. Constrained displacements hold g(t) without the round-off of
@@ -201,16 +219,19 @@ namespace myolines
     Vector State::*by_; ///< the quantity whose prescribed value determines d
     double         c_by_;
     WeightsByOrder weights_;
+    double         size_u_ = 0, size_v_ = 0; ///< for importance()
   };
 
   /// J d + r = 0 at a fixed linearisation.
   class StageSolver::LinearProblem : public NonlinearProblem
   {
   public:
-    LinearProblem(Work &work, const Weights &weights, const Vector &r, const Vector &d)
+    /// @p roughly: one linear solve is enough.
+    LinearProblem(Work &work, const Weights &weights, const Vector &r, const Vector &d, const bool roughly = false)
       : work_(work)
       , weights_(stage_weights(weights.u, weights.v, weights.a))
       , r_(r)
+      , roughly_(roughly)
     {
       work_.allocate(d);
       for (const unsigned int row : work_.constrained_rows)
@@ -239,11 +260,13 @@ namespace myolines
     const WeightsByOrder &weights() const override { return weights_; }
     bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
     bool                  affine() const override { return true; }
+    std::optional<double> importance(const Vector &) const override { return roughly_ ? std::optional<double>(0) : std::nullopt; }
 
   private:
     Work               &work_;
     WeightsByOrder      weights_;
     const Vector       &r_;
+    const bool          roughly_;
     std::vector<double> constrained_;
   };
 
@@ -276,6 +299,28 @@ namespace myolines
   {
     LinearProblem problem(*work_, weights, r, d);
     return solver_.solve(problem, d);
+  }
+
+  /// With e the error, x the damped one and g = w.v / w.a: x_u - g x_v = e_u and M x_v + g (C x_v + K x_u) = M e_v, so
+  /// (w.u K + w.v C + w.a M) x_u = (w.v C + w.a M) e_u + w.v M e_v. Algebraic unknowns and, in M e_v, those of first order play no part.
+  NonlinearReport StageSolver::damp(State &error)
+  {
+    const Weights w = work_->weights;
+    for (Vector *x : {&error.u, &error.v})
+      work_->free->distribute(*x);
+    Vector &r = work_->end.u, &more = work_->end.v;
+    r.zero_out_ghost_values();
+    more.zero_out_ghost_values();
+    work_->linearisation->apply({{Weights{}, Weights{0, w.v, 0}, Weights{0, w.v, w.a}}}, error.u, r);
+    work_->linearisation->apply({{Weights{}, Weights{}, Weights{0, 0, w.v}}}, error.v, more);
+    combine(r, {{-1, &r}, {-1, &more}});
+    Vector &before = work_->end.a;
+    before         = error.u;
+    error.u        = 0;
+    LinearProblem         problem(*work_, w, r, error.u, true);
+    const NonlinearReport report = solver_.solve(problem, error.u);
+    combine(error.v, {{w.a / w.v, &error.u}, {-w.a / w.v, &before}});
+    return report;
   }
 
   void StageSolver::apply(const Weights &weights, const Vector &x, Vector &y) const

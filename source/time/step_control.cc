@@ -1,5 +1,5 @@
+#include <myolines/time/error_control.h>
 #include <myolines/time/plan.h>
-#include <myolines/time/step_control.h>
 
 #include <cmath>
 #include <sstream>
@@ -8,6 +8,8 @@ namespace myolines
 {
   namespace
   {
+    const std::string more_iterations = "more \"solver/nonlinear/maximum iterations\"";
+
     class Fixed : public StepControl
     {
     public:
@@ -20,11 +22,12 @@ namespace myolines
         const Plan::Step step = plan_.at(t);
         return std::min(step.size, step.end - t);
       }
-      double next_landing(const double t) const override { return plan_.at(t).end; }
-      void   accepted(double, double, const StepReport &) override {}
-      bool   rejected(double, double, const StepReport &) override { return false; }
-      void   save(Archive &) const override {}
-      void   load(const Archive &) override {}
+      double      next_landing(const double t) const override { return plan_.at(t).end; }
+      void        accepted(double, double, const StepReport &) override {}
+      bool        rejected(double, double, const StepReport &) override { return false; }
+      std::string advice() const override { return "a smaller \"time/step\", \"time/control/type\" = \"cut back\", or " + more_iterations; }
+      void        save(Archive &) const override {}
+      void        load(const Archive &) override {}
 
     private:
       const Plan plan_;
@@ -67,8 +70,17 @@ namespace myolines
         return half >= minimum_ && t + half > t && rejections_ <= maximum_cuts_;
       }
 
+      std::string advice() const override
+      {
+        return "a smaller \"time/step\", more \"maximum cuts\" in \"time/control\", or " + more_iterations;
+      }
+
       void save(Archive &archive) const override { archive.put("step control: cuts", cuts_); }
-      void load(const Archive &archive) override { cuts_ = archive.number("step control: cuts"); }
+      void load(const Archive &archive) override
+      {
+        if (archive.has_numbers("step control: cuts")) // else the run to resume had another control
+          cuts_ = archive.number("step control: cuts");
+      }
 
     private:
       const Plan         plan_;
@@ -128,11 +140,15 @@ namespace myolines
     scene::Schema schema("Steps in time.");
     schema.number("start", 0, "s", Range::any(), "Initial time.")
         .number("end", std::nullopt, "s", Range::any(), "Final time; reached exactly.")
-        .optional_number("step", "s", Range::positive(), "Step size; the last step is shorter if the steps do not fit.")
+        .optional_number("step", "s", Range::positive(),
+                         "Step size; the last step is shorter if the steps do not fit. The first one if steps are chosen by error.")
         .optional_text("steps",
                        "Schedule of steps instead of one size, \"count x size\" separated by semicolons: \"4 x 0.025; 8 x 0.0125\".")
-        .section("control", scene::Schema("What happens when a step fails.")
-                                .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}}, "Kind of step control."))
+        .optional_text("land on",
+                       "Further times at which a step ends, separated by spaces, for example \"0.1 0.25\": for values of exactly there.")
+        .section("control", scene::Schema("How long steps are, and what happens when one fails.")
+                                .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}, {"error", error_control_schema()}},
+                                         "Kind of step control."))
         .choice("boundary rates", "exact", {"exact", "scheme"},
                 "Velocity and acceleration of moving boundaries: derivatives of the prescribed motion, or the formulas of the integrator.")
         .choice("start velocity", "consistent", {"consistent", "impulse"},
@@ -174,10 +190,12 @@ namespace myolines
     return pieces;
   }
 
-  std::unique_ptr<StepControl> make_step_control(const scene::Node &time)
+  std::unique_ptr<StepControl> make_step_control(const scene::Node &time, const unsigned int error_exponent)
   {
-    Plan               plan    = make_plan(time);
     const scene::Node &control = time.section("control");
+    if (control.text("type") == "error")
+      return make_error_control(time, error_exponent);
+    Plan plan = make_plan(time);
     if (control.text("type") == "fixed")
       return std::make_unique<Fixed>(std::move(plan));
     return std::make_unique<CutBack>(std::move(plan), control.number("growth factor"), control.number("minimum step"),

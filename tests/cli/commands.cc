@@ -44,6 +44,67 @@ TEST(Run, FailedSolveKeepsItsBooks)
   EXPECT_TRUE(std::filesystem::exists(folder / "out/ledger.json"));
 }
 
+TEST(Run, StepsChosenByErrorEndAtTheirMinimum)
+{
+  // A push within a microsecond, smooth, so that no kink tells of it.
+  const TestFolder folder;
+  folder.write("push.xml", R"(<ParameterList name="scene">
+  <ParameterList name="system">
+    <Parameter name="type" type="string" value="oscillator"/>
+    <ParameterList name="force">
+      <Parameter name="type" type="string" value="smooth step"/>
+      <Parameter name="amplitude" type="double" value="1e6"/>
+      <Parameter name="start" type="double" value="0.5"/>
+      <Parameter name="duration" type="double" value="1e-6"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="integrator"><Parameter name="type" type="string" value="tr-bdf2"/></ParameterList>
+  <ParameterList name="time">
+    <Parameter name="end" type="double" value="1"/>
+    <Parameter name="step" type="double" value="0.01"/>
+    <ParameterList name="control">
+      <Parameter name="type" type="string" value="error"/>
+      <Parameter name="minimum step" type="double" value="1e-3"/>
+    </ParameterList>
+  </ParameterList>
+</ParameterList>)");
+  const Outcome checked = run_program(folder, "check push.xml");
+  EXPECT_NE(checked.out.find("Steps: chosen by error from 0 s to 1 s, estimated by the method"), std::string::npos) << checked.out;
+  const Outcome run = run_program(folder, "run push.xml --out out --quiet");
+  EXPECT_EQ(run.exit_code, 3);
+  for (const char *part : {"times the tolerance", "\"minimum step\"", "--resume"})
+    EXPECT_NE(run.err.find(part), std::string::npos) << part << " in: " << run.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/checkpoint"));
+  const Outcome resumed = run_program(folder, "run push.xml --out out --quiet --resume --set \"time/control/minimum step=0\"");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+}
+
+TEST(Run, OutputNeverChangesTheSteps)
+{
+  const TestFolder folder;
+  folder.write("swing.xml", oscillator_scene);
+  folder.write("muscle.xml", muscle_scene);
+  const std::string by_error = " --quiet --set time/control/type=error --set time/step=0.01 ";
+  ASSERT_EQ(run_program(folder, "run swing.xml --out plain" + by_error).exit_code, 0);
+  ASSERT_EQ(run_program(folder, "run swing.xml --out dense --set output/motion/interval=0.01" + by_error).exit_code, 0);
+  EXPECT_EQ(contents(folder / "dense/steps.csv"), contents(folder / "plain/steps.csv"));
+  const std::string motion = contents(folder / "dense/motion.csv");
+  EXPECT_EQ(motion.substr(0, motion.find('\n')), "Time [s],Displacement [m],Velocity [m/s]");
+  EXPECT_EQ(std::count(motion.begin(), motion.end(), '\n'), 102) << "a header, and 0, 0.01, ..., 1";
+
+  std::string       muscle  = muscle_scene;
+  const std::size_t markers = muscle.find("\"markers\"");
+  ASSERT_NE(markers, std::string::npos);
+  ASSERT_EQ(run_program(folder, "run muscle.xml --out muscle --quiet --set output/motion/interval=0.005").exit_code, 0);
+  EXPECT_NE(contents(folder / "muscle/motion.csv").find("_x [m]"), std::string::npos);
+  const std::size_t begin = muscle.rfind('<', markers);
+  muscle.erase(begin, muscle.find("/>", markers) + 2 - begin);
+  folder.write("muscle.xml", muscle);
+  const Outcome refused = run_program(folder, "check muscle.xml --set output/motion/interval=0.01");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("no markers"), std::string::npos) << refused.err;
+}
+
 TEST(Check, TellsSizesStepsAndWarnings)
 {
   const TestFolder folder;

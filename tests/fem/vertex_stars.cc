@@ -135,7 +135,9 @@ namespace myolines
       for (unsigned int node = 0; node < fine.size() / 3; ++node)
         for (unsigned int c = 0; c < 3; ++c)
           if (!constraints_.is_constrained(3 * node + c))
-            EXPECT_NEAR(fine(3 * node + c), f(space_->node_position(node), c), 1e-12);
+            {
+              EXPECT_NEAR(fine(3 * node + c), f(space_->node_position(node), c), 1e-12);
+            }
       const Vector r = random_vector();
       stars_->interpolation().restrict_to(r, back);
       EXPECT_NEAR(back * x, r * fine, 1e-11);

@@ -14,6 +14,8 @@ namespace myolines::testing
     const double g2 = g * g;
     Case c = runge_kutta_case("sdirk3", 3, stability, 15 * g2 * g2 + 10 * g2 * g * (1 - 3 * g) + 6 * g2 * (0.5 - 3 * g + 3 * g2) - 1. / 24);
     c.steps = 40;
+    // g/5 times the second difference of the stages' derivatives; their third derivatives have the coefficients c and (A c) of the stages
+    c.estimate = g / 5 * std::abs(g2 - 2 * g + 0.5);
     return {c};
   }
 } // namespace myolines::testing

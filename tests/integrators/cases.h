@@ -5,6 +5,7 @@
 #include <complex>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,14 @@ namespace myolines::testing
     std::map<std::string, Motion> other_orders = {};
 
     unsigned int steps = 100; ///< on 1.7 s, for the measured order
+
+    /// The estimated error of a small step is this times dt^k |(u, v)^(k)|, k the exponent of the estimate. None: it tends to the
+    /// error itself.
+    std::optional<double> estimate = {};
+
+    bool estimate_is_asymptotic = true; ///< false: neither holds
+
+    bool controls_error = true; ///< false: refused where steps are chosen by error
   };
 
   /// All cases of the method called @p method in integrators/list.def.

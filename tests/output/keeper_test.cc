@@ -23,12 +23,13 @@ namespace
   {
     double cuts = 0;
 
-    double propose(double) const override { return 1; }
-    double next_landing(double) const override { return 1; }
-    void   accepted(double, double, const StepReport &) override {}
-    bool   rejected(double, double, const StepReport &) override { return true; }
-    void   save(Archive &archive) const override { archive.put("cuts", cuts); }
-    void   load(const Archive &) override {}
+    double      propose(double) const override { return 1; }
+    double      next_landing(double) const override { return 1; }
+    void        accepted(double, double, const StepReport &) override {}
+    bool        rejected(double, double, const StepReport &) override { return true; }
+    std::string advice() const override { return "nothing"; }
+    void        save(Archive &archive) const override { archive.put("cuts", cuts); }
+    void        load(const Archive &) override {}
   };
 
   struct Counting : Observer

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Requirement: a run that is interrupted in any way and resumed leaves what it would have left.
 #   resume.sh PROGRAM WORK_FOLDER CASE
-# Cases: killed, killed_ml, stopped, ranks, outputs; see below.
+# Cases: killed, killed_ml, killed_error, stopped, ranks, outputs; see below.
 set -euo pipefail
 program=$1 work=$2 case=$3
 here=$(cd "$(dirname "$0")" && pwd)
@@ -74,6 +74,12 @@ killed)
   ;;
 killed_ml) # a hierarchy of more than one level
   killed --set solver/preconditioner/type=ml --set "solver/preconditioner/coarse size=50"
+  ;;
+killed_error) # steps chosen by error, some refused, and output that does not follow them
+  killed --set integrator/type=sdirk2 --set time/control/type=error --set "time/control/displacement/relative tolerance=3e-5" \
+    --set "time/control/displacement/absolute tolerance=3e-8" \
+    --set output/motion/interval=0.004 --set "output/series/markers=middle 0.015 0.005 0.005"
+  grep -q "error too large" whole/steps.csv || fail "no step was refused"
   ;;
 stopped)
   run whole

@@ -53,6 +53,7 @@ namespace
     StepReport step(const double dt, State &state) override
     {
       StepReport report;
+      report.error_estimate = 1;
       if (fails(state.t, dt))
         {
           report.outcome = StepReport::Outcome::not_converged;
@@ -105,7 +106,7 @@ namespace
     {
       const scene::Node time = node(time_schema(), overrides);
       const Eventful    system(events);
-      const auto        control = make_step_control(time);
+      const auto        control = make_step_control(time, 2);
       if (state.u.size() == 0)
         state = system.initial_state(time.number("start"));
       run_loop(system, fake, *control, loop_settings(time), state, {&recorder}, ledger);
@@ -207,6 +208,32 @@ TEST(Loop, saysWhyWhereAndWhatToTryWhenItGivesUp)
   EXPECT_EQ(run.recorder.ended, 1u);
   EXPECT_EQ(run.recorder.rejections.size(), 3u);
   EXPECT_EQ(run.state.t, 0.5);
+}
+
+TEST(Loop, restartsOnceAtAnEventAlsoIfTheStepFromThereIsRepeated)
+{
+  Trial run;
+  run.fake.fails = [](const double t, const double dt) { return t == 0.5 && dt > 0.1; };
+  run.go({"end=1", "step=0.25"}, {0.5});
+  EXPECT_EQ(run.recorder.rejections.size(), 2u);
+  EXPECT_EQ(run.fake.starts, (std::vector<double>{0, 0.5}));
+}
+
+TEST(Loop, landsOnTimesAsAskedWithoutRestart)
+{
+  Trial run;
+  run.go({"end=1", "step=0.25", "land on=0.6 0.3 1"}, {0.6});
+  EXPECT_EQ(run.recorder.times, (std::vector<double>{0.25, 0.3, 0.5, 0.6, 0.75, 1}));
+  EXPECT_EQ(run.fake.starts, (std::vector<double>{0, 0.6}));
+  for (const char *wrong : {"land on=0", "land on=1.5", "land on=0.3, 0.4", "land on=soon"})
+    EXPECT_THROW(loop_settings(node(time_schema(), {"end=1", "step=0.25", wrong})), InputError) << wrong;
+}
+
+TEST(Loop, makesTwoEqualStepsRatherThanALongAndAShortOneWhereStepsAreFree)
+{
+  Trial run;
+  run.go({"end=1", "step=0.4", "control/type=error", "control/growth factor=1.01"}, {0.5});
+  EXPECT_EQ(run.recorder.times, (std::vector<double>{0.25, 0.5, 0.75, 1}));
 }
 
 TEST(Loop, resumesALaterStateWithoutStartingAnew)

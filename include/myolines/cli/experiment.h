@@ -3,6 +3,7 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/output/checkpoint.h>
 #include <myolines/solve/nonlinear_solver.h>
+#include <myolines/time/error_norm.h>
 #include <myolines/time/step_control.h>
 
 #include <filesystem>
@@ -34,8 +35,8 @@ namespace myolines
     /// Advances to the end; keeps the run in @p folder. A signal for which @p stop_signal returns a number ends it (Interrupted).
     void run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop_signal);
 
-    /// Sizes of the steps as planned [s], with landings on events, if every step succeeds.
-    std::vector<double> planned_steps() const;
+    /// Sizes of the steps as planned [s], with landings on events, if every step succeeds; none if they are chosen by error.
+    std::optional<std::vector<double>> planned_steps() const;
 
   private:
     void refuse_ignored_inertia() const;
@@ -47,6 +48,7 @@ namespace myolines
     LoopSettings                 settings_;
     LinearSolver                 linear_;
     NonlinearSolver              nonlinear_;
+    std::unique_ptr<ErrorNorm>   error_norm_;
     std::unique_ptr<Integrator>  integrator_;
     std::unique_ptr<StepControl> control_;
     std::optional<State>         resumed_;

@@ -38,7 +38,7 @@ namespace myolines
     double evaluate(NonlinearProblem &problem, const Vector &x, double remaining, Evaluation &evaluation, NonlinearReport &report);
     void   set_gap(NonlinearProblem &problem, const Vector &x);
     void   add_lift(NonlinearProblem &problem, BandLinearisation &bands);
-    bool   search(NonlinearProblem &problem, Vector &x, double &remaining, double tolerance, NonlinearReport &report);
+    std::optional<double> search(NonlinearProblem &problem, Vector &x, double &remaining, double tolerance, NonlinearReport &report);
 
     const double                relative_tolerance_, absolute_tolerance_;
     const unsigned int          maximum_iterations_, line_search_cuts_;

@@ -2,6 +2,8 @@
 
 #include <myolines/system/linearisation.h>
 
+#include <optional>
+
 namespace myolines
 {
   /// F(x) = 0 on free unknowns, x_c = target_c (+ C x_free) on constrained ones, as Newton's method sees it.
@@ -32,5 +34,9 @@ namespace myolines
 
     /// Entries of x mean no more than this: what the rounding of the numbers that they are added to makes of them.
     virtual double resolution() const { return 0; }
+
+    /// How much a change @p dx of x matters, 1 or less if it does not. A solve then also ends where what remains, estimated from
+    /// the last Newton steps, does not matter. None: the residual alone decides.
+    virtual std::optional<double> importance(const Vector & /*dx*/) const { return std::nullopt; }
   };
 } // namespace myolines

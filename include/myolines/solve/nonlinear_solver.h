@@ -25,7 +25,8 @@ namespace myolines
 
   /// Inexact Newton (Eisenstat and Walker, doi:10.1137/0917003, choice 2) with a safeguarded line search, on NOX.
   ///
-  /// Converged: |F_free| <= max(relative tolerance * |F_free after the lift|, absolute tolerance), nothing left to lift.
+  /// Converged: |F_free| <= max(relative tolerance * |F_free after the lift|, absolute tolerance), nothing left to lift;
+  /// or, where the problem tells the importance of Newton steps, what remains does not matter (NewtonSteps).
   /// Line search: accept |F| <= (1 - 1e-4 alpha) |F_0|, else quadratic interpolation clamped to [0.1, 0.5] of the last
   /// alpha; halve at inadmissible points; at most `line search cuts` cuts. Full steps may raise |F| `patience` times in a row
   /// (watchdog technique, Chamberlain et al., doi:10.1007/BFb0120945), at most tenfold: along a Newton step of a nearly incompressible body

@@ -37,6 +37,10 @@ namespace myolines
   /// 2 if gamma = 1/2 - alpha_m + alpha_f, else 1.
   unsigned int order(const AlphaCoefficients &coefficients);
 
+  /// The error of u in a step is error_constant dt^2 (a_1 - a_0) + O(dt^4), beta + (alpha_m - alpha_f)/2 - 1/6, as the accelerations
+  /// belong to the instants t + (alpha_m - alpha_f) dt. Without alpha_m, alpha_f this is the estimate of Zienkiewicz and Xie (doi:10.1002/eqe.4290200907).
+  double error_constant(const AlphaCoefficients &coefficients);
+
   /// Largest amplification per step of a mode whose frequency tends to infinity; infinite for beta = 0.
   double spectral_radius_at_infinity(const AlphaCoefficients &coefficients);
 

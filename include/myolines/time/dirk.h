@@ -17,6 +17,9 @@ namespace myolines
   {
     std::vector<std::vector<double>> a; ///< row i has i + 1 entries, the diagonal ones > 0 but for the first
 
+    /// The error of a step is estimated as dt sum_i error_i (v_i, A_i), the difference to an embedded formula; empty: it is not.
+    std::vector<double> error = {};
+
     bool   explicit_first_stage() const { return a[0][0] == 0; }
     double c(std::size_t stage) const;
   };
@@ -25,11 +28,11 @@ namespace myolines
   class DirkStepper
   {
   public:
-    /// @p linear: the system is.
-    DirkStepper(DirkTable table, StageSolver &solver, const bool linear)
+    DirkStepper(DirkTable table, StageSolver &solver, const IntegratorContext &context)
       : table_(std::move(table))
       , solver_(solver)
-      , linear_(linear)
+      , linear_(context.system.capabilities().linear)
+      , error_norm_(context.error_norm)
     {}
 
     /// As Integrator::step.
@@ -38,20 +41,24 @@ namespace myolines
   private:
     void   allocate(const State &state);
     void   predict(std::size_t stage, double dt, const State &state, State &point);
+    void   estimate(double dt, const State &state, StepReport &report);
     double diagonal(std::size_t stage, double dt) const { return table_.a[stage][stage] * dt; }
 
     DirkTable          table_;
     StageSolver       &solver_;
     const bool         linear_;
+    const ErrorNorm   *error_norm_; ///< or none
     std::vector<State> stages_;
     Vector             d_;
     Vector             increment_; ///< u of the last stage - u_0
+    State              error_;
   };
 
   /// The method as an integrator. @throws InputError if the system does not fit the facts.
   std::unique_ptr<Integrator> make_dirk(const DirkTable &table, const MethodFacts &facts, const scene::Node &integrator,
                                         const IntegratorContext &context);
 
-  /// gamma = 1 - 1/sqrt(2): two stages, order 2, L-stable (Alexander, doi:10.1137/0714068).
+  /// gamma = 1 - 1/sqrt(2): two stages, order 2, L-stable (Alexander, doi:10.1137/0714068). The error is estimated as a fifth of the
+  /// difference to u_0 + dt v_1, of first order: then error and tolerance agree in the muscle (doc/error_control.md).
   DirkTable sdirk2_table();
 } // namespace myolines

@@ -23,6 +23,12 @@ namespace myolines
     std::string  stability;      ///< "L-stable", ...
     bool         dynamic = true; ///< false: ignores inertia and rates
 
+    /// What the method estimates of the error of a step is of order dt^k; 0: it has no estimate of its own.
+    unsigned int error_exponent = 0;
+
+    /// The estimate is of u and v, else of u only.
+    bool estimates_velocity = true;
+
     /// The method needs accelerations of every unknown: it refuses systems without inertia and unknowns of order 0 or 1.
     bool second_order_only = false;
 
@@ -79,6 +85,8 @@ namespace myolines
     bool accepted() const { return outcome == Outcome::accepted; }
   };
 
+  class ErrorNorm;
+
   /// What every integrator gets to work with. All references outlive the integrator.
   struct IntegratorContext
   {
@@ -87,6 +95,10 @@ namespace myolines
     BoundaryRates             boundary_rates;
     WorkLedger               &ledger;
     StartVelocity             start_velocity = StartVelocity::consistent;
+
+    /// Given: steps are estimated and refused (Outcome::error_too_large) where the norm exceeds 1, and nonlinear solves are as
+    /// accurate as that needs. None: nothing is estimated.
+    const ErrorNorm *error_norm = nullptr;
   };
 
   /// One-step contract.

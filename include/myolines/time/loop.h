@@ -61,15 +61,17 @@ namespace myolines
 
   struct LoopSettings
   {
-    double      start      = 0; ///< [s]
-    double      end        = 0; ///< [s]
-    Events      events     = Events::restart;
-    std::size_t steps_done = 0; ///< accepted steps before the given state, of a resumed run
+    double              start  = 0; ///< [s]
+    double              end    = 0; ///< [s]
+    Events              events = Events::restart;
+    std::vector<double> landings;       ///< further times to land on [s], ascending
+    std::size_t         steps_done = 0; ///< accepted steps before the given state, of a resumed run
   };
+  /// @throws InputError if `land on` holds what is no time between start and end.
   LoopSettings loop_settings(const scene::Node &time);
 
-  /// Advances @p state to settings.end exactly: lands on the end, on the landings of the control and (unless ignored) on
-  /// events; restarts the integrator after events where so set. A remainder shorter than 1e-9 of the proposed step is
+  /// Advances @p state to settings.end exactly: lands on the end, on the landings of the control and of the settings, and
+  /// (unless ignored) on events; restarts the integrator after events where so set. A remainder shorter than 1e-9 of the proposed step is
   /// merged into the step, so that rounding makes no sliver steps. Landing times are set, never accumulated.
   ///
   /// A state at settings.start begins the run: the integrator is started. A later one resumes it: integrator and control

@@ -59,6 +59,12 @@ namespace myolines
     /// @p d holds values for the constrained unknowns (what they depend on is added) and 0 for the free ones.
     NonlinearReport solve_linear(const Weights &weights, const Vector &r, Vector &d);
 
+    /// error <- (1 - g dy'/dy)^-1 error for y = (u, v), roughly solved, with the last linearisation and the weights (1, 1/g, 1/g^2) of
+    /// the last stage (for weights at an average: their like). Components that the step cannot resolve, which say nothing of the
+    /// motion, fall out; of others the leading term stays (Hosea and Shampine, doi:10.1016/0168-9274(95)00115-8; Hairer and
+    /// Wanner, doi:10.1007/978-3-642-05221-7, IV.8). Constrained entries have no error. a and t of @p error play no part.
+    NonlinearReport damp(State &error);
+
     /// y = (w.u K + w.v C + w.a M) x of the last linearise().
     void apply(const Weights &weights, const Vector &x, Vector &y) const;
 

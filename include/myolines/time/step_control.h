@@ -29,6 +29,9 @@ namespace myolines
     /// Shrinks the step. False if the bounds of the control are reached; the loop then ends with the reason.
     virtual bool rejected(double t, double dt, const StepReport &report) = 0;
 
+    /// What to try where the control gives up, for a sentence.
+    virtual std::string advice() const = 0;
+
     virtual void save(Archive &archive) const = 0;
     virtual void load(const Archive &archive) = 0;
   };
@@ -53,6 +56,7 @@ namespace myolines
   /// - cut back: after a rejection half the step; after an accepted sub-step it grows again by `growth factor`, up to the
   ///   planned size, in equal sub-steps that land on the planned end. Gives up below `minimum step` or after
   ///   `maximum cuts` halvings without a success.
+  /// - error: see ErrorControl. @p error_exponent is that of the method (error_control.h); no other control needs it.
   /// @throws InputError if start, end, step and steps contradict each other.
-  std::unique_ptr<StepControl> make_step_control(const scene::Node &time);
+  std::unique_ptr<StepControl> make_step_control(const scene::Node &time, unsigned int error_exponent = 0);
 } // namespace myolines

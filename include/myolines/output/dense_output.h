@@ -1,0 +1,47 @@
+#pragma once
+
+#include <myolines/output/output_folder.h>
+#include <myolines/scene/scene.h>
+#include <myolines/time/loop.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// State at @p t between @p begin and @p end: u is the cubic that has u and v of both (error of fourth order in the step), v its
+  /// derivative, a the line between both. An interpolated displacement violates the volume constraint of nearly incompressible
+  /// bodies: no stresses or reactions of it mean anything.
+  State interpolate(const State &begin, const State &end, double t);
+
+  /// Writes at instants that have nothing to do with the steps, and changes none of these.
+  class DenseOutput : public Observer
+  {
+  public:
+    /// @p instant gives the instants in ascending order, infinity after the last; @p name for what is saved.
+    DenseOutput(std::function<double(std::size_t)> instant, std::string name, const OutputFolder &folder);
+
+    void begin(const State &state) final;
+    void resume(const State &state, std::size_t) final { last_ = state; }
+    void accepted(const State &state, const StepRecord &record) final;
+    void save(Archive &archive) const override { archive.put(name_, static_cast<double>(next_)); }
+
+  protected:
+    virtual void write(double t, const State &state) = 0;
+
+  private:
+    const std::function<double(std::size_t)> instant_;
+    const std::string                        name_;
+    std::size_t                              next_ = 0;
+    State                                    last_;
+  };
+
+  /// Parameters of the list `motion` with the @p content of its file.
+  scene::Schema motion_schema(const std::string &content);
+
+  /// motion.csv: time and what @p values makes of the state, named by @p columns, at the multiples of `interval` of the list @p motion.
+  std::unique_ptr<Observer> make_motion(const scene::Node &motion, std::vector<std::string> columns,
+                                        std::function<std::vector<double>(const State &)> values, const OutputFolder &folder);
+} // namespace myolines

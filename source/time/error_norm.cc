@@ -1,0 +1,84 @@
+#include <myolines/time/error_norm.h>
+#include <myolines/time/step_doubling.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    double relative(const double error, const ErrorTolerances::Block &tolerance, const double size)
+    {
+      return error / (tolerance.absolute + tolerance.relative * size);
+    }
+  } // namespace
+
+  ErrorNorm::ErrorNorm(const ErrorTolerances &tolerances, const SemiDiscreteSystem &system)
+    : tolerances_(tolerances)
+    , communicator_(system.initial_state(0).u.get_mpi_communicator())
+  {
+    const Vector layout = system.initial_state(0).u;
+    for (unsigned int i = 0; i < layout.locally_owned_size(); ++i)
+      if (!system.constraints().is_constrained(layout.get_partitioner()->local_to_global(i)))
+        free_.push_back(i);
+    n_free_ = dealii::Utilities::MPI::sum(static_cast<double>(free_.size()), communicator_);
+  }
+
+  double ErrorNorm::rms(const Vector &x) const
+  {
+    double sum = 0;
+    for (const unsigned int i : free_)
+      sum += x.local_element(i) * x.local_element(i);
+    return n_free_ == 0 ? 0 : std::sqrt(dealii::Utilities::MPI::sum(sum, communicator_) / n_free_);
+  }
+
+  double ErrorNorm::of_step(const Vector &error_u, const Vector *error_v, const State &begin, const State &end) const
+  {
+    double error = relative(rms(error_u), tolerances_.displacement, std::max(rms(begin.u), rms(end.u)));
+    if (tolerances_.velocity && error_v != nullptr)
+      error = std::max(error, relative(rms(*error_v), *tolerances_.velocity, std::max(rms(begin.v), rms(end.v))));
+    return error;
+  }
+
+  double ErrorNorm::of_solve(const Vector &d, const Weights &c, const double u, const double v) const
+  {
+    const double size  = rms(d);
+    double       error = relative(std::abs(c.u) * size, tolerances_.displacement, u);
+    if (tolerances_.velocity)
+      error = std::max(error, relative(std::abs(c.v) * size, *tolerances_.velocity, v));
+    return error / tolerances_.solver_fraction;
+  }
+
+  void ErrorNorm::judge(const double error, StepReport &report)
+  {
+    report.error_estimate = error;
+    if (error <= 1)
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "the estimated error is " << error << " times the tolerance";
+    report.outcome = StepReport::Outcome::error_too_large;
+    report.reason  = text.str();
+  }
+
+  unsigned int error_exponent(const MethodFacts &facts) { return facts.error_exponent != 0 ? facts.error_exponent : facts.order + 1; }
+
+  std::unique_ptr<Integrator> make_integrator(const IntegratorEntry &entry, const scene::Node &integrator, const IntegratorContext &context)
+  {
+    if (context.error_norm == nullptr)
+      return entry.make(integrator, context);
+    const MethodFacts &facts = entry.facts;
+    if (facts.order == 0)
+      integrator.refuse("type", "\"" + facts.name + "\" makes no error in time that could be controlled", "another \"time/control/type\"",
+                        "\"cut back\" shortens steps that fail");
+    if (context.error_norm->looks_at_velocity() && !facts.estimates_velocity)
+      integrator.refuse("type", "\"" + facts.name + "\" estimates the error of displacements only",
+                        "no list \"time/control/velocity\", or a method that estimates both",
+                        "`myolines list integrators` tells what each estimates");
+    return facts.error_exponent == 0 ? make_step_doubling(entry, integrator, context) : entry.make(integrator, context);
+  }
+} // namespace myolines

@@ -1,0 +1,89 @@
+#include "../support/matrices.h"
+#include "folder.h"
+
+#include <myolines/output/dense_output.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace myolines;
+
+namespace
+{
+  Vector vector(const double value)
+  {
+    Vector x = myolines::testing::serial_vector(1);
+    x(0) = value;
+    return x;
+  }
+
+  /// u = t^3 - 2 t + 1
+  State cubic(const double t) { return {t, vector(t * t * t - 2 * t + 1), vector(3 * t * t - 2), vector(6 * t)}; }
+
+  State sine(const double t) { return {t, vector(std::sin(t)), vector(std::cos(t)), vector(-std::sin(t))}; }
+
+  /// Notes what it is asked to write.
+  struct Notes : DenseOutput
+  {
+    Notes(const double interval, const OutputFolder &folder)
+      : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "rows", folder)
+    {}
+    void write(const double t, const State &state) override
+    {
+      times.push_back(t);
+      values.push_back(state.u(0));
+    }
+    std::vector<double> times, values;
+  };
+
+  StepRecord step(const double t, const double dt)
+  {
+    StepRecord record;
+    record.t  = t;
+    record.dt = dt;
+    return record;
+  }
+} // namespace
+
+TEST(DenseOutput, interpolatesCubicsExactlyAndOthersToFourthOrder)
+{
+  const State between = interpolate(cubic(0.5), cubic(1.3), 0.9);
+  EXPECT_EQ(between.t, 0.9);
+  EXPECT_NEAR(between.u(0), cubic(0.9).u(0), 1e-14);
+  EXPECT_NEAR(between.v(0), cubic(0.9).v(0), 1e-14);
+  EXPECT_NEAR(between.a(0), cubic(0.9).a(0), 1e-14);
+  const auto error = [](const double h) { return interpolate(sine(1), sine(1 + h), 1 + 0.4 * h).u(0) - std::sin(1 + 0.4 * h); };
+  EXPECT_NEAR(std::log2(error(0.1) / error(0.05)), 4, 0.1);
+}
+
+TEST(DenseOutput, writesAtItsInstantsWhateverTheStepsAre)
+{
+  const test::Folder folder;
+  Notes            notes(0.25, {folder.path});
+  notes.begin(cubic(0));
+  double t = 0;
+  for (const double dt : {0.1, 0.15, 0.65, 0.05, 0.05})
+    {
+      t += dt;
+      notes.accepted(cubic(t), step(t, dt));
+    }
+  ASSERT_EQ(notes.times, (std::vector<double>{0, 0.25, 0.5, 0.75, 1})) << "a multiple that a step ends on is written once";
+  for (std::size_t i = 0; i < notes.times.size(); ++i)
+    EXPECT_NEAR(notes.values[i], cubic(notes.times[i]).u(0), 1e-14);
+}
+
+TEST(DenseOutput, goesOnWhereItWasSaved)
+{
+  const test::Folder folder;
+  Notes            first(0.25, {folder.path});
+  first.begin(cubic(0));
+  first.accepted(cubic(0.6), step(0.6, 0.6));
+  Archive saved;
+  first.save(saved);
+  Notes second(0.25, {folder.path, &saved});
+  second.resume(cubic(0.6), 1);
+  second.accepted(cubic(1.1), step(1.1, 0.5));
+  EXPECT_EQ(second.times, (std::vector<double>{0.75, 1}));
+  EXPECT_NEAR(second.values[0], cubic(0.75).u(0), 1e-14);
+}
