@@ -132,7 +132,7 @@ namespace myolines
         const double r = dt / last_dt_, factor = (1 + r) / (3 * (1 + 2 * r)) * dt;
         combine(error_.u, {{factor, &end_.v}, {-factor, &state.v}, {-factor * r, &last_dv_}});
         combine(error_.v, {{factor, &end_.a}, {-factor, &state.a}, {-factor * r, &last_da_}});
-        record(solver_.damp(error_), report);
+        record_estimate(solver_.damp(error_), report);
         if (report.accepted())
           ErrorNorm::judge(context_.error_norm->of_step(error_.u, &error_.v, state, end_), report);
       }

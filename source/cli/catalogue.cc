@@ -53,7 +53,7 @@ namespace myolines
       return {sizes.n_unknowns, sizes.bytes, sizes.matrix_bytes, sizes.two_level_bytes};
     }
 
-    SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0}; }
+    SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0, 0, true}; }
 
     AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger)
     {
@@ -65,7 +65,7 @@ namespace myolines
     {
       const Rod1dParameters rod = read_rod1d(node);
       const double          n   = 1. + static_cast<double>(rod.n_elements) * rod.degree;
-      return {n, n * sizeof(double) * (20 + 2 * (3 * rod.degree + 1)), 0};
+      return {n, n * sizeof(double) * (20 + 2 * (3 * rod.degree + 1)), 0, 0, true};
     }
 
     std::vector<SystemEntry> make_catalogue()

@@ -114,7 +114,7 @@ namespace myolines
       out << "  " << line << "\n";
     print_method(experiment, out);
     print_steps(experiment, out);
-    for (const std::string &warning : experiment.assembled().warnings)
+    for (const std::string &warning : experiment.warnings())
       out << "Warning: " << warning << "\n";
   }
 } // namespace myolines

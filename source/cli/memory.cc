@@ -29,11 +29,12 @@ namespace myolines
     /// for 107,811. A hierarchy takes at most what its matrix takes.
     double preconditioner_bytes(const scene::Node &preconditioner, const SizeEstimate &size, const double ranks)
     {
-      const std::string wanted  = preconditioner.text("type");
-      const std::string type    = wanted == "automatic"
-                                      ? automatic_choice(preconditioner, static_cast<std::size_t>(std::min(size.n_unknowns, 1e18)), size.two_level_bytes > 0)
-                                      : wanted;
-      const double      factors = 560 * std::pow(size.n_unknowns, 4. / 3) / ranks;
+      const std::string wanted = preconditioner.text("type");
+      const std::string type =
+          wanted == "automatic"
+              ? automatic_choice(preconditioner, static_cast<std::size_t>(std::min(size.n_unknowns, 1e18)), size.two_level_bytes > 0)
+              : wanted;
+      const double factors = 560 * std::pow(size.n_unknowns, 4. / 3) / ranks;
       if (type == "direct")
         return size.matrix_bytes + factors;
       return type == "p multigrid" ? size.two_level_bytes : 2 * size.matrix_bytes;
@@ -48,7 +49,9 @@ namespace myolines
       const SizeEstimate size           = system_entry(system.text("type"), system.where("type")).size(system, ranks);
 
       Need need;
-      need.system         = size.bytes;
+      need.system = size.bytes;
+      if (size.banded && preconditioner.text("type") == "automatic")
+        return need;
       need.krylov         = (2. * linear.integer("restart") + 7) * size.n_unknowns / ranks * sizeof(double);
       need.preconditioner = preconditioner_bytes(preconditioner, size, ranks);
       return need;

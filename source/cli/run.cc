@@ -156,6 +156,9 @@ namespace myolines
       book(reason);
       write_ledger(folder, experiment.ledger());
     };
+    if (!options.quiet)
+      for (const std::string &warning : experiment.warnings())
+        out << "Warning: " << warning << "\n";
     Tally tally;
     try
       {

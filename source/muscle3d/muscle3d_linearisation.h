@@ -55,7 +55,7 @@ namespace myolines
     const Muscle3dParameters               &parameters_;
     const Muscle3dDiscretisation           &discretisation_;
     WorkLedger                             &ledger_;
-    KernelModel                             model_;
+    KernelModel                             model_{};
     Vector                                  u_, v_;
     std::unique_ptr<BlockMatrix>            matrix_;
     Weights                                 assembled_; ///< weights of the matrix, if current_

@@ -4,16 +4,24 @@
 
 namespace myolines
 {
-  State interpolate(const State &begin, const State &end, const double t)
+  State interpolate(const State &begin, const State &end, const double t, const bool inertia)
   {
     State        state = end;
     const double h = end.t - begin.t, s = (t - begin.t) / h;
-    const double slope = 6 * s * (1 - s) / h;
-    combine(state.u, {{(1 + 2 * s) * (1 - s) * (1 - s), &begin.u},
-                      {s * (1 - s) * (1 - s) * h, &begin.v},
-                      {s * s * (3 - 2 * s), &end.u},
-                      {s * s * (s - 1) * h, &end.v}});
-    combine(state.v, {{-slope, &begin.u}, {slope, &end.u}, {(1 - s) * (1 - 3 * s), &begin.v}, {s * (3 * s - 2), &end.v}});
+    if (inertia)
+      {
+        const double slope = 6 * s * (1 - s) / h;
+        combine(state.u, {{(1 + 2 * s) * (1 - s) * (1 - s), &begin.u},
+                          {s * (1 - s) * (1 - s) * h, &begin.v},
+                          {s * s * (3 - 2 * s), &end.u},
+                          {s * s * (s - 1) * h, &end.v}});
+        combine(state.v, {{-slope, &begin.u}, {slope, &end.u}, {(1 - s) * (1 - 3 * s), &begin.v}, {s * (3 * s - 2), &end.v}});
+      }
+    else
+      {
+        combine(state.u, {{1 - s, &begin.u}, {s, &end.u}});
+        combine(state.v, {{-1 / h, &begin.u}, {1 / h, &end.u}});
+      }
     combine(state.a, {{1 - s, &begin.a}, {s, &end.a}});
     state.t = t;
     for (Vector *x : {&state.u, &state.v, &state.a})
@@ -21,19 +29,28 @@ namespace myolines
     return state;
   }
 
-  DenseOutput::DenseOutput(std::function<double(std::size_t)> instant, std::string name, const OutputFolder &folder)
+  DenseOutput::DenseOutput(std::function<double(std::size_t)> instant, std::string name, const OutputFolder &folder, const bool inertia)
     : instant_(std::move(instant))
     , name_(std::move(name))
+    , inertia_(inertia)
   {
     if (folder.saved != nullptr && folder.saved->has_numbers(name_))
-      next_ = static_cast<std::size_t>(folder.saved->number(name_));
+      written_ = folder.saved->number(name_);
+  }
+
+  /// The instants may be others than those of the run that was saved.
+  void DenseOutput::resume(const State &state, std::size_t)
+  {
+    while (instant_(next_) <= std::max(state.t, written_))
+      ++next_;
+    last_ = state;
   }
 
   void DenseOutput::begin(const State &state)
   {
     for (; instant_(next_) <= state.t; ++next_)
       if (instant_(next_) == state.t)
-        write(state.t, state);
+        write(written_ = state.t, state);
     last_ = state;
   }
 
@@ -41,7 +58,7 @@ namespace myolines
   {
     const double same = 1e-9 * record.dt; // rounding in sums of steps does not make a time fall between two
     for (double t = instant_(next_); t <= state.t + same; t = instant_(++next_))
-      write(t, t >= state.t - same ? state : interpolate(last_, state, t));
+      write(written_ = t, t >= state.t - same ? state : interpolate(last_, state, t, inertia_));
     last_ = state;
   }
 
@@ -51,8 +68,8 @@ namespace myolines
     {
     public:
       Motion(const double interval, const std::vector<std::string> &columns, std::function<std::vector<double>(const State &)> values,
-             const OutputFolder &folder)
-        : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "rows of motion.csv", folder)
+             const OutputFolder &folder, const bool inertia)
+        : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "end of motion.csv", folder, inertia)
         , values_(std::move(values))
         , csv_(folder, "motion.csv", columns)
       {}
@@ -84,9 +101,10 @@ namespace myolines
   }
 
   std::unique_ptr<Observer> make_motion(const scene::Node &motion, std::vector<std::string> columns,
-                                        std::function<std::vector<double>(const State &)> values, const OutputFolder &folder)
+                                        std::function<std::vector<double>(const State &)> values, const OutputFolder &folder,
+                                        const bool inertia)
   {
     columns.insert(columns.begin(), "Time [s]");
-    return std::make_unique<Motion>(motion.number("interval"), columns, std::move(values), folder);
+    return std::make_unique<Motion>(motion.number("interval"), columns, std::move(values), folder, inertia);
   }
 } // namespace myolines

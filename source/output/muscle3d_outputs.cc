@@ -148,7 +148,7 @@ namespace myolines
               row.insert(row.end(), {u[0], u[1], u[2]});
             return row;
           },
-          folder);
+          folder, system.capabilities().inertia);
     }
   } // namespace
 

@@ -67,7 +67,7 @@ namespace myolines
           [](const State &state) {
             return std::vector<double>{state.u[0], state.v[0]};
           },
-          folder));
+          folder, true));
     return observers;
   }
 } // namespace myolines

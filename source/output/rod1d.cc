@@ -94,7 +94,7 @@ namespace myolines
       /// @p times ascend.
       NodalStates(const Rod1dSystem &system, const std::vector<double> &times, const OutputFolder &folder)
         : DenseOutput([times](const std::size_t i) { return i < times.size() ? times[i] : std::numeric_limits<double>::infinity(); },
-                      "nodal states written", folder)
+                      "end of nodal_states.csv", folder, true)
         , system_(system)
         , csv_(folder, "nodal_states.csv", {"Time [s]", "X [m]", "u [m]", "v [m/s]"})
       {}
@@ -151,7 +151,7 @@ namespace myolines
     if (output.has("motion"))
       observers.push_back(make_motion(
           output.section("motion"), trace_columns(places), [&system, places](const State &state) { return trace(system, places, state); },
-          folder));
+          folder, true));
     return observers;
   }
 } // namespace myolines

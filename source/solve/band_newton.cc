@@ -10,9 +10,9 @@ namespace myolines
 {
   namespace
   {
-    bool same(const double left, const double right) { return std::abs(left - right) <= 1e-12 * std::abs(left); }
+    bool same(const double left, const double right) { return std::abs(left - right) <= 1e-10 * std::abs(left); }
 
-    /// Equal up to the rounding of step sizes, which are differences of instants.
+    /// Equal up to the rounding of step sizes, which are differences of instants; far below the tolerances of the solver.
     bool same(const WeightsByOrder &left, const WeightsByOrder &right)
     {
       return std::equal(left.begin(), left.end(), right.begin(),

@@ -274,6 +274,7 @@ namespace myolines
     if (!attempt(problem, x, patience, report))
       {
         ledger_.count("nonlinear solves begun anew");
+        linear_.new_step();
         x = guess;
         attempt(problem, x, 0, report);
       }

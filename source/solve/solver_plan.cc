@@ -23,7 +23,7 @@ namespace myolines
     if (wanted == "p multigrid" && !two_levels)
       preconditioner.refuse("type", "p multigrid needs a coarser level, which this system does not have",
                             "another preconditioner, or a muscle of degree 2 or 3");
-    const std::string jacobian  = constant ? "Jacobian: constant, made once" : "Jacobian: made at every Newton iteration";
+    const std::string jacobian  = constant ? "Jacobian: constant, made once" : "Jacobian: made anew at every iteration";
     const bool        automatic = wanted == "automatic";
     if (automatic && dynamic_cast<const BandLinearisation *>(&linearisation) != nullptr)
       return {jacobian, "linear solves: banded and direct, factors kept while Jacobian and step size stay; no Krylov solver is set up"};

@@ -129,7 +129,7 @@ namespace myolines
         combine(error.u, {{dt * dt * error_constant(c_), &end_.a}, {-dt * dt * error_constant(c_), &state.a}});
         error.v = 0;
         if (c_.beta != 0) // else the matrix of the step does not know what is stiff
-          record(solver_.damp(error), report);
+          record_estimate(solver_.damp(error), report);
         if (report.accepted())
           ErrorNorm::judge(context_.error_norm->of_step(error.u, nullptr, state, end_), report);
       }

@@ -113,7 +113,7 @@ namespace myolines
         add(error_.u, dt * table_.error[i], stages_[i].v);
         add(error_.v, dt * table_.error[i], stages_[i].a);
       }
-    record(solver_.damp(error_), report);
+    record_estimate(solver_.damp(error_), report);
     if (report.accepted())
       ErrorNorm::judge(error_norm_->of_step(error_.u, &error_.v, state, stages_.back()), report);
   }

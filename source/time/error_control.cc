@@ -53,6 +53,7 @@ namespace myolines
       ratio = 1;
     const bool cut_short = dt < 0.99 * step_;
     step_                = std::min(cut_short ? std::max(step_, ratio * dt) : ratio * dt, limits_.maximum_step);
+    step_                = std::max(step_, limits_.minimum_step);
     if (!cut_short)
       last_error_ = error;
     rejections_ = 0;
@@ -61,7 +62,7 @@ namespace myolines
 
   bool ErrorControl::rejected(const double t, const double dt, const StepReport &report)
   {
-    if (report.outcome == StepReport::Outcome::error_too_large)
+    if (report.outcome == StepReport::Outcome::error_too_large && std::isfinite(*report.error_estimate))
       {
         const double error = *report.error_estimate;
         step_              = dt * std::clamp(limits_.safety * std::pow(error, -1 / shown_exponent(dt, error)), shortest, limits_.safety);
@@ -111,9 +112,10 @@ namespace myolines
         .number("solver fraction", 0.05, "-", Range{0, 1, true, false},
                 "Newton's method may end where what remains is this part of the tolerances: more digits would be lost in the error of the "
                 "step.")
-        .number("safety factor", 0.9, "-", Range{0, 1, true, false}, "Of the step that would just meet the tolerance.")
+        .number("safety factor", 0.9, "-", Range::closed(0.2, 1), "Of the step that would just meet the tolerance.")
         .number("growth factor", 2, "-", Range{1, 10, true, false}, "Largest ratio of a step to the one before.")
-        .number("minimum step", 0, "s", Range::not_negative(), "The run ends rather than take a smaller step.")
+        .number("minimum step", 0, "s", Range::not_negative(),
+                "The run ends rather than take a smaller step; only landings shorten steps further.")
         .optional_number("maximum step", "s", Range::positive(), "Steps are never longer.")
         .integer("maximum rejections", 20, Range::closed(1, 1000), "Largest number of times a step is repeated before the run ends.");
     return schema;

@@ -13,7 +13,7 @@ namespace myolines
   {
     double relative(const double error, const ErrorTolerances::Block &tolerance, const double size)
     {
-      return error / (tolerance.absolute + tolerance.relative * size);
+      return error == 0 ? 0 : error / (tolerance.absolute + tolerance.relative * size);
     }
   } // namespace
 

@@ -83,6 +83,8 @@ namespace myolines
                 ledger_.count("restarts at events");
                 integrator_.start(state_);
                 restarted_at_ = state_.t;
+                for (Observer *observer : observers_)
+                  observer->restarted(state_);
               }
             attempt();
           }

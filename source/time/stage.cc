@@ -84,11 +84,6 @@ namespace myolines
       const Weights at = stage.average != nullptr ? stage.average->weight : Weights{1, 1, 1};
       weights_         = stage_weights(stage.scale * at.u * stage.c.u, stage.scale * at.v * stage.c.v, stage.scale * at.a * stage.c.a);
       work_.weights    = weights_[2];
-      if (work_.error_norm != nullptr)
-        {
-          size_u_ = work_.error_norm->rms(predictor.u);
-          size_v_ = work_.error_norm->rms(predictor.v);
-        }
       if (stage.prescribed)
         shift_predictors(d);
     }
@@ -138,7 +133,7 @@ namespace myolines
     {
       if (work_.error_norm == nullptr || stage_.c.u == 0)
         return std::nullopt;
-      return work_.error_norm->of_solve(dx, stage_.c, size_u_, size_v_);
+      return work_.error_norm->of_solve(dx, stage_.c, work_.error_norm->rms(work_.end.u), work_.error_norm->rms(work_.end.v));
     }
 
     /// Turns the predictors into the end of the stage. Constrained displacements hold g(t) without the round-off of
@@ -219,7 +214,6 @@ namespace myolines
     Vector State::*by_; ///< the quantity whose prescribed value determines d
     double         c_by_;
     WeightsByOrder weights_;
-    double         size_u_ = 0, size_v_ = 0; ///< for importance()
   };
 
   /// J d + r = 0 at a fixed linearisation.
@@ -305,6 +299,12 @@ namespace myolines
   /// (w.u K + w.v C + w.a M) x_u = (w.v C + w.a M) e_u + w.v M e_v. Algebraic unknowns and, in M e_v, those of first order play no part.
   NonlinearReport StageSolver::damp(State &error)
   {
+    if (!work_->linearised) // no stage needed an iteration: nothing moves
+      {
+        NonlinearReport nothing;
+        nothing.converged = true;
+        return nothing;
+      }
     const Weights w = work_->weights;
     for (Vector *x : {&error.u, &error.v})
       work_->free->distribute(*x);
@@ -341,6 +341,15 @@ namespace myolines
     step.outcome          = solve.converged      ? StepReport::Outcome::accepted
                             : solve.inadmissible ? StepReport::Outcome::inadmissible
                                                  : StepReport::Outcome::not_converged;
+  }
+
+  void record_estimate(const NonlinearReport &solve, StepReport &step)
+  {
+    step.linear_iterations += solve.linear_iterations;
+    if (solve.converged)
+      return;
+    step.outcome = StepReport::Outcome::not_converged;
+    step.reason  = "the estimate of the error: " + solve.reason;
   }
 
   void record(const Evaluation &evaluation, StepReport &step)

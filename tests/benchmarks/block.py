@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SCENE = os.path.join(HERE, "..", "..", "input", "isometric_block.xml")
@@ -41,7 +42,6 @@ class Cost:
 
 def spawn(command, log):
     """Runs a command; returns its resources (children included) and its wall-clock seconds. Raises if it fails."""
-    import time
     begin = time.monotonic()
     process = subprocess.Popen(command, stdout=log, stderr=log, env=ENVIRONMENT)
     _, status, usage = os.wait4(process.pid, 0)

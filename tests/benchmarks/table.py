@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """One table of what the isometric block costs: table.py PROGRAM [--refinements 2 3 4] [--ranks 1 2] [--points 3] [--steps 8]
 
-Refinement 5 takes ten minutes for 2 steps: --refinements 5 --steps 2. Run it alone on the machine. Columns that are seconds by phase are wall-clock
+Refinement 5 takes two minutes for 2 steps: --refinements 5 --steps 2. Run it alone on the machine. Columns that are seconds by phase are wall-clock
 seconds of rank 0; "CPU" is the whole of all ranks, start-up and outputs included.
 """
 

@@ -14,7 +14,7 @@ namespace
   Vector vector(const double value)
   {
     Vector x = myolines::testing::serial_vector(1);
-    x(0) = value;
+    x(0)     = value;
     return x;
   }
 
@@ -26,8 +26,8 @@ namespace
   /// Notes what it is asked to write.
   struct Notes : DenseOutput
   {
-    Notes(const double interval, const OutputFolder &folder)
-      : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "rows", folder)
+    Notes(const double interval, const OutputFolder &folder, const bool inertia = true)
+      : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "rows", folder, inertia)
     {}
     void write(const double t, const State &state) override
     {
@@ -48,19 +48,19 @@ namespace
 
 TEST(DenseOutput, interpolatesCubicsExactlyAndOthersToFourthOrder)
 {
-  const State between = interpolate(cubic(0.5), cubic(1.3), 0.9);
+  const State between = interpolate(cubic(0.5), cubic(1.3), 0.9, true);
   EXPECT_EQ(between.t, 0.9);
   EXPECT_NEAR(between.u(0), cubic(0.9).u(0), 1e-14);
   EXPECT_NEAR(between.v(0), cubic(0.9).v(0), 1e-14);
   EXPECT_NEAR(between.a(0), cubic(0.9).a(0), 1e-14);
-  const auto error = [](const double h) { return interpolate(sine(1), sine(1 + h), 1 + 0.4 * h).u(0) - std::sin(1 + 0.4 * h); };
+  const auto error = [](const double h) { return interpolate(sine(1), sine(1 + h), 1 + 0.4 * h, true).u(0) - std::sin(1 + 0.4 * h); };
   EXPECT_NEAR(std::log2(error(0.1) / error(0.05)), 4, 0.1);
 }
 
 TEST(DenseOutput, writesAtItsInstantsWhateverTheStepsAre)
 {
   const test::Folder folder;
-  Notes            notes(0.25, {folder.path});
+  Notes              notes(0.25, {folder.path});
   notes.begin(cubic(0));
   double t = 0;
   for (const double dt : {0.1, 0.15, 0.65, 0.05, 0.05})
@@ -76,7 +76,7 @@ TEST(DenseOutput, writesAtItsInstantsWhateverTheStepsAre)
 TEST(DenseOutput, goesOnWhereItWasSaved)
 {
   const test::Folder folder;
-  Notes            first(0.25, {folder.path});
+  Notes              first(0.25, {folder.path});
   first.begin(cubic(0));
   first.accepted(cubic(0.6), step(0.6, 0.6));
   Archive saved;
@@ -86,4 +86,39 @@ TEST(DenseOutput, goesOnWhereItWasSaved)
   second.accepted(cubic(1.1), step(1.1, 0.5));
   EXPECT_EQ(second.times, (std::vector<double>{0.75, 1}));
   EXPECT_NEAR(second.values[0], cubic(0.75).u(0), 1e-14);
+}
+
+TEST(DenseOutput, withoutInertiaTheLineBetweenTheEnds)
+{
+  const State begin{1, vector(2), vector(0), vector(0)}, end{3, vector(6), vector(0), vector(0)};
+  const State between = interpolate(begin, end, 1.5, false);
+  EXPECT_NEAR(between.u(0), 3, 1e-14);
+  EXPECT_NEAR(between.v(0), 2, 1e-14);
+}
+
+TEST(DenseOutput, afterARestartFromTheRightLimit)
+{
+  // at rest until 1, then u = (t - 1)^3 + 2 (t - 1): the velocity jumps by 2
+  const test::Folder folder;
+  Notes              notes(0.5, {folder.path});
+  const auto         after = [](const double t) {
+    const double s = t - 1;
+    return State{t, vector(s * s * s + 2 * s), vector(3 * s * s + 2), vector(6 * s)};
+  };
+  notes.begin({0, vector(0), vector(0), vector(0)});
+  notes.accepted({1, vector(0), vector(0), vector(0)}, step(1, 1));
+  notes.restarted(after(1));
+  notes.accepted(after(2), step(2, 1));
+  ASSERT_EQ(notes.times, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+  EXPECT_NEAR(notes.values[3], after(1.5).u(0), 1e-14);
+}
+
+TEST(DenseOutput, askedForOnlyWhenResumedItBeginsThere)
+{
+  const test::Folder folder;
+  const Archive      saved;
+  Notes              notes(0.25, {folder.path, &saved});
+  notes.resume(cubic(0.6), 1);
+  notes.accepted(cubic(1.1), step(1.1, 0.5));
+  EXPECT_EQ(notes.times, (std::vector<double>{0.75, 1}));
 }

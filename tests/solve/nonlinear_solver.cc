@@ -132,8 +132,7 @@ TEST(NonlinearSolver, lineSearchRescuesAnOvershootingStep)
     EXPECT_TRUE(solvers.nonlinear.solve(problem, x).converged);
     EXPECT_NEAR(x(0), 0, 1e-13);
     EXPECT_GE(solvers.ledger.counted("line search cuts"), 1u);
-    for (std::size_t k = 0; k + 1 < problem.norms.size(); ++k)
-      EXPECT_LE(problem.norms[k + 1], M_PI / 2);
+    EXPECT_EQ(solvers.ledger.counted("nonlinear solves begun anew"), 1u); // patience does not help here
   }
   {
     Solvers               solvers({"line search cuts=0"});
@@ -144,6 +143,34 @@ TEST(NonlinearSolver, lineSearchRescuesAnOvershootingStep)
     EXPECT_FALSE(report.inadmissible);
     EXPECT_NE(report.reason.find("line search"), std::string::npos) << report.reason;
   }
+}
+
+TEST(NonlinearSolver, patienceSparesCutsWhereFullStepsConverge)
+{
+  // Gradient of |x - p|^2/2 + k/4 (|x|^2 - 1)^2: a Newton step along the circle leaves it to second order, and k makes that large.
+  const double k     = 10;
+  const auto   solve = [&](const std::string &patience, Solvers &solvers, SmallProblem &problem) {
+    problem.f = [k](const Values &x) {
+      const double s = k * (x[0] * x[0] + x[1] * x[1] - 1);
+      return Values{x[0] - 1 + s * x[0], x[1] - 0.3 + s * x[1]};
+    };
+    problem.jacobian = [k](const Values &x) {
+      const double s = 1 + k * (x[0] * x[0] + x[1] * x[1] - 1);
+      return std::vector<Values>{{s + 2 * k * x[0] * x[0], 2 * k * x[0] * x[1]}, {2 * k * x[0] * x[1], s + 2 * k * x[1] * x[1]}};
+    };
+    Vector x = problem.start({1, 0});
+    EXPECT_TRUE(solvers.nonlinear.solve(problem, x).converged) << patience;
+    EXPECT_NEAR(x(1) / x(0), 0.3, 1e-9); // the root is on the ray of p
+  };
+  Solvers      patient({"relative tolerance=1e-10"}), strict({"relative tolerance=1e-10", "patience=0"});
+  SmallProblem first(2), second(2);
+  solve("patience", patient, first);
+  solve("none", strict, second);
+  EXPECT_GT(first.norms[1], first.norms[0]);
+  EXPECT_EQ(patient.ledger.counted("line search cuts"), 0u);
+  EXPECT_EQ(patient.ledger.counted("nonlinear solves begun anew"), 0u);
+  EXPECT_GT(strict.ledger.counted("line search cuts"), 0u);
+  EXPECT_LT(patient.ledger.counted("newton iterations"), strict.ledger.counted("newton iterations"));
 }
 
 TEST(NonlinearSolver, shortensStepsThatLeaveTheDomain)

@@ -33,6 +33,7 @@ namespace myolines
     double bytes           = 0; ///< on each rank: system, stored tangent, vectors of a run
     double matrix_bytes    = 0; ///< on each rank: the assembled tangent
     double two_level_bytes = 0; ///< on each rank: patches and coarse level; 0: the system has no two levels
+    bool   banded          = false; ///< solved directly in bytes, unless the scene names a preconditioner
   };
 
   /// What a kind of system brings to scenes, help and templates.

@@ -27,6 +27,9 @@ namespace myolines
     /// How linear systems are solved, in words.
     const std::vector<std::string> &solver_plan() const { return solver_plan_; }
 
+    /// What the user should know before trusting the results: of the system, and of the method in it.
+    std::vector<std::string> warnings() const;
+
     WorkLedger &ledger() { return ledger_; }
 
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.
@@ -39,7 +42,8 @@ namespace myolines
     std::optional<std::vector<double>> planned_steps() const;
 
   private:
-    void refuse_ignored_inertia() const;
+    void                  refuse_ignored_inertia() const;
+    std::optional<double> first_velocity_jump() const;
 
     scene::Node                  scene_;
     WorkLedger                   ledger_;

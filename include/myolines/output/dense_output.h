@@ -5,6 +5,7 @@
 #include <myolines/time/loop.h>
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,19 +15,23 @@ namespace myolines
   /// State at @p t between @p begin and @p end: u is the cubic that has u and v of both (error of fourth order in the step), v its
   /// derivative, a the line between both. An interpolated displacement violates the volume constraint of nearly incompressible
   /// bodies: no stresses or reactions of it mean anything.
-  State interpolate(const State &begin, const State &end, double t);
+  ///
+  /// Without inertia velocities are no derivatives of u at the ends of steps: u is then the line between both, v its slope.
+  State interpolate(const State &begin, const State &end, double t, bool inertia);
 
   /// Writes at instants that have nothing to do with the steps, and changes none of these.
   class DenseOutput : public Observer
   {
   public:
-    /// @p instant gives the instants in ascending order, infinity after the last; @p name for what is saved.
-    DenseOutput(std::function<double(std::size_t)> instant, std::string name, const OutputFolder &folder);
+    /// @p instant gives the instants in ascending order, infinity after the last; @p name for what is saved; @p inertia: of the
+    /// system.
+    DenseOutput(std::function<double(std::size_t)> instant, std::string name, const OutputFolder &folder, bool inertia);
 
     void begin(const State &state) final;
-    void resume(const State &state, std::size_t) final { last_ = state; }
+    void resume(const State &state, std::size_t) final;
+    void restarted(const State &state) final { last_ = state; }
     void accepted(const State &state, const StepRecord &record) final;
-    void save(Archive &archive) const override { archive.put(name_, static_cast<double>(next_)); }
+    void save(Archive &archive) const override { archive.put(name_, written_); }
 
   protected:
     virtual void write(double t, const State &state) = 0;
@@ -34,7 +39,9 @@ namespace myolines
   private:
     const std::function<double(std::size_t)> instant_;
     const std::string                        name_;
-    std::size_t                              next_ = 0;
+    const bool                               inertia_;
+    std::size_t                              next_    = 0;
+    double                                   written_ = std::numeric_limits<double>::lowest(); ///< the last instant so far
     State                                    last_;
   };
 
@@ -43,5 +50,5 @@ namespace myolines
 
   /// motion.csv: time and what @p values makes of the state, named by @p columns, at the multiples of `interval` of the list @p motion.
   std::unique_ptr<Observer> make_motion(const scene::Node &motion, std::vector<std::string> columns,
-                                        std::function<std::vector<double>(const State &)> values, const OutputFolder &folder);
+                                        std::function<std::vector<double>(const State &)> values, const OutputFolder &folder, bool inertia);
 } // namespace myolines

@@ -15,7 +15,7 @@ namespace myolines
   class BandNewton
   {
   public:
-    /// Parameters as NonlinearSolver::schema() declares them; those of inexact solves play no part.
+    /// Parameters as NonlinearSolver::schema() declares them; those of inexact solves and patience play no part.
     BandNewton(const scene::Node &nonlinear, WorkLedger &ledger);
 
     /// As NonlinearSolver::solve, for the linearisation @p bands of @p problem.

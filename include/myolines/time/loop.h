@@ -34,6 +34,7 @@ namespace myolines
     virtual ~Observer() = default;
     virtual void begin(const State &) {}                                         ///< initial state, before the first step
     virtual void resume(const State &, std::size_t /*accepted steps so far*/) {} ///< instead of begin() in a resumed run
+    virtual void restarted(const State &) {}                                     ///< at an event: the state with right limits
     virtual void accepted(const State &, const StepRecord &) {}                  ///< after every accepted step
     virtual void rejected(const StepRecord &) {}                                 ///< after every rejected attempt
 

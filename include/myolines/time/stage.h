@@ -82,6 +82,9 @@ namespace myolines
   /// Copies the verdict and the counts of a nonlinear solve into a step report, adding to counts already there.
   void record(const NonlinearReport &solve, StepReport &step);
 
+  /// What the solve of an error estimate has cost; its failure, but not its residuals, which are no residuals of the step.
+  void record_estimate(const NonlinearReport &solve, StepReport &step);
+
   /// The verdict of one residual evaluated outside the nonlinear solver, and its count.
   void record(const Evaluation &evaluation, StepReport &step);
 } // namespace myolines
