@@ -9,6 +9,14 @@
 
 namespace myolines
 {
+  /// A named additive split R = R_I + F_E of a system: R_I, which holds M a, is solved for; F_E(t, u, v) is evaluated at known states.
+  struct Split
+  {
+    std::string name;    ///< as in a scene: "linear"
+    std::string summary; ///< what is implicit, one sentence
+    std::string refused; ///< why it is known not to converge for this system; empty: nothing is known
+  };
+
   /// What a system is, for integrators to decide whether they fit and for `check` to print.
   struct Capabilities
   {
@@ -19,6 +27,7 @@ namespace myolines
     bool                      symmetric_tangent = false; ///< K and C as linearised are symmetric
     bool                      energy            = false; ///< the system can state its energies
     std::vector<unsigned int> orders            = {2};   ///< differential orders of the unknowns that occur
+    std::vector<Split>        splits            = {};    ///< see implicit_part()
   };
 
   /// A semi-discrete system (method of lines), the waist between time integrators and physics:
@@ -55,6 +64,10 @@ namespace myolines
 
     /// Refills @p linearisation (from make_linearisation() of this system) at an admissible @p point.
     virtual void linearise(const Point &point, Linearisation &linearisation) const = 0;
+
+    /// R_I of a split of capabilities(): a system with the same unknowns, constraints, prescribed motion, mass and events.
+    /// F_E = R - R_I. This system outlives it. nullptr for other names.
+    virtual std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string & /*split*/) const { return nullptr; }
 
     /// Kinks of the drives in the open interval (t0, t1), ascending.
     virtual std::vector<double> events(double t0, double t1) const = 0;
