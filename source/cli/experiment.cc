@@ -51,13 +51,24 @@ namespace myolines
     solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
                                       *assembled_.system->make_linearisation(), assembled_.system->n_unknowns(),
                                       assembled_.system->capabilities().linear);
-    const scene::Node &time = scene_.section("time");
-    error_norm_             = make_error_norm(time, *assembled_.system);
-    control_                = make_step_control(time, error_exponent(method_.facts));
-    integrator_             = make_integrator(
-                    method_, scene_.section("integrator"),
-                    IntegratorContext{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time), error_norm_.get()});
+    error_norm_  = make_error_norm(scene_.section("time"), *assembled_.system);
+    make_method();
   }
+
+  void Experiment::make_method()
+  {
+    const scene::Node      &time = scene_.section("time"), &integrator = scene_.section("integrator");
+    const IntegratorContext context{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time), error_norm_.get()};
+    if (error_norm_ && method_.make_self_paced)
+      {
+        self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
+        return;
+      }
+    control_    = make_step_control(time, error_exponent(method_.facts));
+    integrator_ = make_integrator(method_, integrator, context);
+  }
+
+  TimeMethod &Experiment::time_method() const { return self_paced_ ? static_cast<TimeMethod &>(*self_paced_) : *integrator_; }
 
   void Experiment::refuse_ignored_inertia() const
   {
@@ -117,8 +128,9 @@ namespace myolines
   void Experiment::resume(const Checkpoint &checkpoint)
   {
     settings_.steps_done = checkpoint.step;
-    integrator_->load(checkpoint.integrator);
-    control_->load(checkpoint.control);
+    time_method().load(checkpoint.integrator);
+    if (control_)
+      control_->load(checkpoint.control);
     for (const auto &[name, times] : checkpoint.ledger.counts())
       ledger_.count(name, times);
     for (const auto &[phase, seconds] : checkpoint.ledger.seconds())
@@ -133,10 +145,13 @@ namespace myolines
     const scene::Node &time = scene_.section("time");
     State state = resumed_ ? *resumed_ : starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
     CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
-                            {*assembled_.system, *integrator_, *control_, observers, ledger_, scene::resolved_xml(scene_),
+                            {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_),
                              [this] { nonlinear_.forget(); }, stop_signal},
                             folder);
-    run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_, &keeper);
+    if (self_paced_)
+      run_loop(*assembled_.system, *self_paced_, settings_, state, observers, ledger_, &keeper);
+    else
+      run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_, &keeper);
   }
 
   std::optional<std::vector<double>> Experiment::planned_steps() const

@@ -21,12 +21,16 @@ namespace myolines
     };
     using Items = std::vector<Item>;
 
-    std::string facts_text(const MethodFacts &facts)
+    std::string facts_text(const IntegratorEntry &entry)
     {
-      std::string text;
+      const MethodFacts &facts = entry.facts;
+      std::string        text;
       if (facts.order > 0)
         text += "  order " + std::to_string(facts.order) + ", " + facts.stability + "\n";
-      if (facts.error_exponent > 0)
+      if (entry.make_self_paced)
+        text += std::string("  steps: ") + (entry.make ? "given, or " : "") +
+                "chosen by error, by the method itself; its own Newton iteration (of solver/nonlinear only \"forcing maximum\" counts)\n";
+      else if (facts.error_exponent > 0)
         text += std::string("  error of a step: estimated, of ") + (facts.estimates_velocity ? "u and v" : "u") + "\n";
       else if (facts.order > 0)
         text += "  error of a step: by step doubling\n";
@@ -46,7 +50,7 @@ namespace myolines
     {
       Items items;
       for (const IntegratorEntry &entry : integrator_registry())
-        items.push_back({entry.facts.name, entry.facts.summary, facts_text(entry.facts) + describe(entry.schema)});
+        items.push_back({entry.facts.name, entry.facts.summary, facts_text(entry) + describe(entry.schema)});
       return items;
     }
 
@@ -153,6 +157,8 @@ namespace myolines
 
     std::vector<scene::Setting> settings = entry.example;
     settings.insert(settings.begin(), {{"system/type", entry.name}, {"integrator/type", method}});
+    if (!integrator_entry(method).make)
+      settings.push_back({"time/control/type", "error"});
     if (!integrator_entry(method).facts.dynamic)
       {
         if (entry.without_inertia.empty())

@@ -26,12 +26,14 @@ namespace myolines
     , seconds_(checkpoint.number("seconds"))
     , written_at_(std::chrono::steady_clock::now())
   {
-    run_.control.save(control_);
+    if (run_.control != nullptr)
+      run_.control->save(control_);
   }
 
   std::optional<std::string> CheckpointKeeper::accepted(const State &state, const std::size_t step)
   {
-    run_.control.save(control_);
+    if (run_.control != nullptr)
+      run_.control->save(control_);
     if (const int signal = dealii::Utilities::MPI::max(run_.stop_signal(), MPI_COMM_WORLD))
       return std::string("asked to stop by the signal \"") + strsignal(signal) + "\" after step " + std::to_string(step) +
              " at t = " + exact_text(state.t) + " s";

@@ -127,7 +127,7 @@ namespace myolines
         add_lift(problem, bands);
       }
     report.initial_residual = norm_;
-    const double tolerance  = std::max(relative_tolerance_ * norm_, absolute_tolerance_);
+    const double tolerance  = std::max(relative_tolerance_ * norm_, problem.has_unit_of_residual() ? absolute_tolerance_ : 0);
 
     for (;; linearised = false)
       {

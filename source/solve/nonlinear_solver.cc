@@ -230,7 +230,7 @@ namespace myolines
                    LiftedFunction(problem, linear_, ledger_, x),
                    ledger_,
                    node_.number("relative tolerance"),
-                   node_.number("absolute tolerance"),
+                   problem.has_unit_of_residual() ? node_.number("absolute tolerance") : 0,
                    static_cast<unsigned int>(node_.integer("maximum iterations")),
                    static_cast<unsigned int>(node_.integer("line search cuts")),
                    patience};

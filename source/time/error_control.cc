@@ -121,7 +121,7 @@ namespace myolines
     return schema;
   }
 
-  std::unique_ptr<StepControl> make_error_control(const scene::Node &time, const unsigned int exponent)
+  ErrorControlLimits error_control_limits(const scene::Node &time)
   {
     const scene::Node &control = time.section("control");
     if (time.has("steps") || !time.has("step"))
@@ -137,7 +137,12 @@ namespace myolines
                                     static_cast<unsigned int>(control.integer("maximum rejections"))};
     if (limits.minimum_step > std::min(limits.first_step, limits.maximum_step))
       control.refuse("minimum step", "is larger than the first or the maximum step", "minimum step <= step, maximum step");
-    return std::make_unique<ErrorControl>(limits, exponent);
+    return limits;
+  }
+
+  std::unique_ptr<StepControl> make_error_control(const scene::Node &time, const unsigned int exponent)
+  {
+    return std::make_unique<ErrorControl>(error_control_limits(time), exponent);
   }
 
   std::unique_ptr<ErrorNorm> make_error_norm(const scene::Node &time, const SemiDiscreteSystem &system)

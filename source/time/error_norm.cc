@@ -69,6 +69,9 @@ namespace myolines
 
   std::unique_ptr<Integrator> make_integrator(const IntegratorEntry &entry, const scene::Node &integrator, const IntegratorContext &context)
   {
+    if (!entry.make)
+      integrator.refuse("type", "\"" + entry.facts.name + "\" chooses its steps itself", "\"time/control/type\" = \"error\"",
+                        "its tolerances are in \"time/control\"");
     if (context.error_norm == nullptr)
       return entry.make(integrator, context);
     const MethodFacts &facts = entry.facts;

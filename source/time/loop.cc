@@ -20,24 +20,25 @@ namespace myolines
       double dt; ///< t_now + dt == t in floating point [s]
     };
 
+    /// What all runs share; how a step is taken is up to the derived class.
     class Loop
     {
     public:
-      Loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
+      Loop(const SemiDiscreteSystem &system, TimeMethod &method, const LoopSettings &settings, State &state,
            const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper)
-        : integrator_(integrator)
-        , control_(control)
-        , settings_(settings)
+        : settings_(settings)
         , state_(state)
         , observers_(observers)
         , ledger_(ledger)
-        , keeper_(keeper)
         , number_(settings.steps_done)
+        , method_(method)
+        , keeper_(keeper)
       {
         if (settings.events != Events::ignore)
           events_ = system.events(settings.start, settings.end);
         std::merge(events_.begin(), events_.end(), settings.landings.begin(), settings.landings.end(), std::back_inserter(landings_));
       }
+      virtual ~Loop() = default;
 
       /// Tells keeper and observers how it ends; the errors thrown are those that all ranks agree on, or others.
       void run()
@@ -64,12 +65,56 @@ namespace myolines
         close("");
       }
 
+    protected:
+      virtual void attempt() = 0;
+
+      /// What must be landed on next: events and given times, or the end.
+      double next_fixed() const
+      {
+        const auto fixed = std::upper_bound(landings_.begin(), landings_.end(), state_.t);
+        return fixed != landings_.end() ? std::min(*fixed, settings_.end) : settings_.end;
+      }
+
+      void tell_accepted(const StepRecord &record)
+      {
+        for (Observer *observer : observers_)
+          observer->accepted(state_, record);
+        if (keeper_ != nullptr && state_.t < settings_.end)
+          if (const std::optional<std::string> reason = keeper_->accepted(state_, number_))
+            throw Interrupted(*reason);
+      }
+
+      void tell_rejected(const StepRecord &record)
+      {
+        ledger_.count("rejected steps");
+        for (Observer *observer : observers_)
+          observer->rejected(record);
+      }
+
+      [[noreturn]] void give_up(const std::string &step, const std::string &reason, const std::string &advice) const
+      {
+        throw SolveError("The step from t = " + text(state_.t) + " s" + step + " failed: " + reason + ". To try: " + advice + ".");
+      }
+
+      static std::string text(const double x)
+      {
+        std::ostringstream stream;
+        stream << x;
+        return stream.str();
+      }
+
+      const LoopSettings            &settings_;
+      State                         &state_;
+      const std::vector<Observer *> &observers_;
+      WorkLedger                    &ledger_;
+      std::size_t                    number_;
+
     private:
       void advance()
       {
         if (state_.t == settings_.start)
           {
-            integrator_.start(state_);
+            method_.start(state_);
             for (Observer *observer : observers_)
               observer->begin(state_);
           }
@@ -81,7 +126,7 @@ namespace myolines
             if (settings_.events == Events::restart && at_event() && restarted_at_ != state_.t)
               {
                 ledger_.count("restarts at events");
-                integrator_.start(state_);
+                method_.start(state_);
                 restarted_at_ = state_.t;
                 for (Observer *observer : observers_)
                   observer->restarted(state_);
@@ -107,6 +152,25 @@ namespace myolines
 
       bool at_event() const { return std::binary_search(events_.begin(), events_.end(), state_.t); }
 
+      TimeMethod           &method_;
+      Keeper               *keeper_;
+      std::vector<double>   events_;
+      std::vector<double>   landings_;     ///< events and others
+      std::optional<double> restarted_at_; ///< once, also if steps from there are repeated
+    };
+
+    /// Steps that a control proposes.
+    class ControlledLoop : public Loop
+    {
+    public:
+      ControlledLoop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings,
+                     State &state, const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper)
+        : Loop(system, integrator, settings, state, observers, ledger, keeper)
+        , integrator_(integrator)
+        , control_(control)
+      {}
+
+    private:
       /// The earliest of what must be landed on; of times that agree up to a sliver the one known best wins:
       /// an event or another given time before a planned step, the end before both.
       Landing landing() const
@@ -115,10 +179,10 @@ namespace myolines
         double       proposed = control_.propose(t);
         const double merge    = sliver * proposed;
         double       target   = control_.next_landing(t);
-        const auto   fixed    = std::upper_bound(landings_.begin(), landings_.end(), t);
         const bool   planned  = std::isfinite(target);
-        if (fixed != landings_.end() && *fixed <= target + merge)
-          target = *fixed;
+        const double fixed    = next_fixed();
+        if (fixed <= target + merge)
+          target = fixed;
         if (settings_.end <= target + merge)
           target = settings_.end;
         if (!planned && target - t < 2 * proposed && target - t > proposed + merge)
@@ -139,7 +203,7 @@ namespace myolines
         return dt;
       }
 
-      void attempt()
+      void attempt() override
       {
         const Landing next = landing();
         StepRecord    record;
@@ -158,38 +222,51 @@ namespace myolines
         state_.t      = record.t;
         record.number = ++number_;
         control_.accepted(record.t, record.dt, record.report);
-        for (Observer *observer : observers_)
-          observer->accepted(state_, record);
-        if (keeper_ != nullptr && state_.t < settings_.end)
-          if (const std::optional<std::string> reason = keeper_->accepted(state_, number_))
-            throw Interrupted(*reason);
+        tell_accepted(record);
       }
 
       void reject(StepRecord &record)
       {
-        ledger_.count("rejected steps");
         record.number = number_;
-        for (Observer *observer : observers_)
-          observer->rejected(record);
-        if (control_.rejected(state_.t, record.dt, record.report))
-          return;
-        std::ostringstream text;
-        text << "The step from t = " << state_.t << " s of size " << record.dt << " s failed: " << record.report.reason
-             << ". To try: " << control_.advice() << ".";
-        throw SolveError(text.str());
+        tell_rejected(record);
+        if (!control_.rejected(state_.t, record.dt, record.report))
+          give_up(" of size " + text(record.dt) + " s", record.report.reason, control_.advice());
       }
 
-      Integrator                    &integrator_;
-      StepControl                   &control_;
-      const LoopSettings            &settings_;
-      State                         &state_;
-      const std::vector<Observer *> &observers_;
-      WorkLedger                    &ledger_;
-      Keeper                        *keeper_;
-      std::vector<double>            events_;
-      std::vector<double>            landings_; ///< events and others
-      std::size_t                    number_;
-      std::optional<double>          restarted_at_; ///< once, also if steps from there are repeated
+      Integrator  &integrator_;
+      StepControl &control_;
+    };
+
+    /// Steps that the method chooses.
+    class SelfPacedLoop : public Loop
+    {
+    public:
+      SelfPacedLoop(const SemiDiscreteSystem &system, SelfPacedIntegrator &integrator, const LoopSettings &settings, State &state,
+                    const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper)
+        : Loop(system, integrator, settings, state, observers, ledger, keeper)
+        , integrator_(integrator)
+      {}
+
+    private:
+      void attempt() override
+      {
+        const double begin = state_.t;
+        StepRecord   record;
+        record.report = integrator_.advance(next_fixed(), state_);
+        record.number = number_;
+        record.t      = state_.t;
+        record.dt     = state_.t - begin;
+        if (!record.report.accepted())
+          {
+            tell_rejected(record);
+            give_up("", record.report.reason, "larger tolerances or a smaller \"minimum step\" in \"time/control\"");
+          }
+        ledger_.count("accepted steps");
+        record.number = ++number_;
+        tell_accepted(record);
+      }
+
+      SelfPacedIntegrator &integrator_;
     };
   } // namespace
 
@@ -227,6 +304,12 @@ namespace myolines
   void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
                 const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper)
   {
-    Loop(system, integrator, control, settings, state, observers, ledger, keeper).run();
+    ControlledLoop(system, integrator, control, settings, state, observers, ledger, keeper).run();
+  }
+
+  void run_loop(const SemiDiscreteSystem &system, SelfPacedIntegrator &integrator, const LoopSettings &settings, State &state,
+                const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper)
+  {
+    SelfPacedLoop(system, integrator, settings, state, observers, ledger, keeper).run();
   }
 } // namespace myolines

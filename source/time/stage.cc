@@ -221,7 +221,7 @@ namespace myolines
   {
   public:
     /// @p roughly: one linear solve is enough.
-    LinearProblem(Work &work, const Weights &weights, const Vector &r, const Vector &d, const bool roughly = false)
+    LinearProblem(Work &work, const Weights &weights, const Vector &r, const Vector &d, const bool roughly)
       : work_(work)
       , weights_(stage_weights(weights.u, weights.v, weights.a))
       , r_(r)
@@ -254,6 +254,7 @@ namespace myolines
     const WeightsByOrder &weights() const override { return weights_; }
     bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
     bool                  affine() const override { return true; }
+    bool                  has_unit_of_residual() const override { return false; }
     std::optional<double> importance(const Vector &) const override { return roughly_ ? std::optional<double>(0) : std::nullopt; }
 
   private:
@@ -289,9 +290,9 @@ namespace myolines
     return report;
   }
 
-  NonlinearReport StageSolver::solve_linear(const Weights &weights, const Vector &r, Vector &d)
+  NonlinearReport StageSolver::solve_linear(const Weights &weights, const Vector &r, Vector &d, const bool roughly)
   {
-    LinearProblem problem(*work_, weights, r, d);
+    LinearProblem problem(*work_, weights, r, d, roughly);
     return solver_.solve(problem, d);
   }
 

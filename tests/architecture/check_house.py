@@ -20,7 +20,7 @@ FENCES = (
     ("Epetra and Thyra", r"\b(Epetra_\w+|Thyra(::|_)|EpetraExt\w*)", ("include/myolines/algebra", "source/algebra", "source/solve")),
     ("NOX, Belos, ML and Amesos", r"\bNOX(::|_)|\bBelos(::|\w*\.hpp)|\bML_(Epetra|\w+\.h)|\bml_\w+\.h|\bAmesos\w*[:.]", ("source/solve",)),
     ("XML of Teuchos", r"\bTeuchos_XML\w*|\bTeuchos::XML\w*|Xml(File|String|Stream)\b", ("source/scene",)),
-    ("SUNDIALS", r"[<\"](sundials|arkode|cvodes?|idas?|kinsol|nvector)/", ("integrators/sundials_",)),
+    ("SUNDIALS", r"[<\"](sundials|arkode|cvodes?|idas?|kinsol|nvector)/", ("integrators/sundials_", "source/integrators/sundials_", "include/myolines/integrators/sundials_")),
 )
 
 # The translator names the methods of the program that it translates from.

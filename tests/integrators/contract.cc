@@ -1,4 +1,4 @@
-// The promises of the class Integrator that hold for every registered method, dynamic or not.
+// The promises of the class Integrator that hold for every registered method of ours, dynamic or not.
 
 #include "experiment.h"
 
@@ -104,7 +104,7 @@ TEST_P(Every, countsItsWork)
 
 TEST_P(Every, refusesParametersItDoesNotKnow) { EXPECT_THROW(node(GetParam().schema, {"no such parameter=1"}), InputError); }
 
-INSTANTIATE_TEST_SUITE_P(registry, Every, ::testing::ValuesIn(integrator_registry()), [](const auto &info) {
+INSTANTIATE_TEST_SUITE_P(registry, Every, ::testing::ValuesIn(native_methods()), [](const auto &info) {
   std::string name = info.param.facts.name;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');

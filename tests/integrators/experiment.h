@@ -7,6 +7,7 @@
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/time/loop.h>
 
+#include <algorithm>
 #include <ostream>
 
 namespace myolines
@@ -49,6 +50,15 @@ namespace myolines::testing
     std::unique_ptr<Integrator> integrator;
     State                       state;
   };
+
+  /// Methods whose steps are ours to choose; sundials.cc has the others.
+  inline std::vector<IntegratorEntry> native_methods()
+  {
+    std::vector<IntegratorEntry> methods = integrator_registry();
+    methods.erase(std::remove_if(methods.begin(), methods.end(), [](const IntegratorEntry &entry) { return bool(entry.make_self_paced); }),
+                  methods.end());
+    return methods;
+  }
 
   /// A case with the method it belongs to.
   struct Verified

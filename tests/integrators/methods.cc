@@ -4,6 +4,7 @@
 
 #include <myolines/base/error.h>
 #include <myolines/time/alpha_method.h>
+#include <myolines/time/error_control.h>
 #include <myolines/time/start.h>
 
 #include <gtest/gtest.h>
@@ -13,11 +14,14 @@ using namespace myolines::testing;
 
 namespace
 {
-  std::unique_ptr<Integrator> make(const std::string &method, const Overrides &parameters, const SemiDiscreteSystem &system,
+  std::unique_ptr<TimeMethod> make(const std::string &method, const Overrides &parameters, const SemiDiscreteSystem &system,
                                    Solvers &solvers, const BoundaryRates rates = BoundaryRates::exact)
   {
-    const IntegratorEntry &entry = integrator_entry(method);
-    return entry.make(node(entry.schema, parameters), IntegratorContext{system, solvers.nonlinear, rates, solvers.ledger});
+    const IntegratorEntry  &entry = integrator_entry(method);
+    const IntegratorContext context{system, solvers.nonlinear, rates, solvers.ledger};
+    if (entry.make)
+      return entry.make(node(entry.schema, parameters), context);
+    return entry.make_self_paced(node(entry.schema, parameters), context, {});
   }
 
   std::string refusal(const std::string &method, const Overrides &parameters, OscillatorParameters oscillator = {},

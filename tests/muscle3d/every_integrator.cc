@@ -51,7 +51,7 @@ namespace myolines
       const Vector reference = displacement("sdirk3", 48);
       for (const IntegratorEntry &entry : integrator_registry())
         {
-          if (!entry.facts.dynamic || entry.facts.solves == MethodFacts::Solves::mass)
+          if (!entry.facts.dynamic || entry.facts.solves == MethodFacts::Solves::mass || entry.make_self_paced)
             continue;
           // without iteration nothing brings the volume back that a linear extrapolation of large steps has changed
           Vector difference = displacement(entry.facts.name, entry.facts.solves == MethodFacts::Solves::linear_systems ? 200 : 24);

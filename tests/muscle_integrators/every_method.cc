@@ -29,6 +29,8 @@ namespace
 
   const std::string quasi_static = "--set system/inertia=quasi-static ";
 
+  const std::string self_paced = "--set time/control/type=error --set \"time/boundary rates=exact\" --set time/events=restart ";
+
   void expect_refused(const Outcome &outcome, const MethodFacts &method, const std::string &reason)
   {
     EXPECT_EQ(outcome.exit_code, 2);
@@ -46,6 +48,14 @@ TEST_P(EveryMethod, RunsTheDynamicMuscleOrSaysWhyNot)
   Outcome            outcome;
   if (!method.dynamic)
     return expect_refused(run(method, "0.2", "0.025"), method, "ignores inertia");
+  if (GetParam().make_self_paced)
+    {
+      expect_refused(run(method, "0.0625", "0.00625"), method,
+                     GetParam().make ? "has no formulas of its own for the rates of a moving boundary" : "chooses its steps itself");
+      outcome = run(method, "0.0625", "0.001", self_paced);
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      return;
+    }
   switch (method.solves)
     {
     case MethodFacts::Solves::nonlinear_equations:
@@ -72,7 +82,7 @@ TEST_P(EveryMethod, RunsTheDynamicMuscleOrSaysWhyNot)
 TEST_P(EveryMethod, RunsTheQuasiStaticMuscleOrSaysWhyNot)
 {
   const MethodFacts &method  = GetParam().facts;
-  const Outcome      outcome = run(method, "0.1", "0.025", quasi_static);
+  const Outcome      outcome = run(method, "0.1", "0.025", quasi_static + (GetParam().make ? "" : self_paced));
   if (method.second_order_only)
     return expect_refused(outcome, method, "needs accelerations, but the system has no inertia");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -43,7 +43,7 @@ namespace
       : system(OscillatorParameters(), ledger)
       , observers{&counting}
       , keeper(scene::compose_scene(checkpoint_schema(), {{"every", every}, {"seconds", seconds}}),
-               {system, integrator, control, observers, ledger, "<scene/>", [this] { ++forgotten; }, [this] { return signal; }},
+               {system, integrator, &control, observers, ledger, "<scene/>", [this] { ++forgotten; }, [this] { return signal; }},
                folder.path)
     {}
 

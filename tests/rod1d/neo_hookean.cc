@@ -1,38 +1,18 @@
 // The Neo-Hookean rod of thesis section 4.7 against an independent program, with the conventions of the thesis.
 
 #include "../support/drives.h"
+#include "../support/table.h"
 #include "rod.h"
 
 #include <myolines/system/drive_types.h>
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 using namespace myolines;
 using namespace myolines::testing;
 
 namespace
 {
-  using Row = std::vector<std::string>;
-
-  std::vector<Row> rows(const std::string &name)
-  {
-    std::ifstream    file(MYOLINES_SOURCE_DIR "/tests/data/" + name);
-    std::vector<Row> all;
-    std::string      line;
-    std::getline(file, line);
-    while (std::getline(file, line))
-      {
-        std::istringstream cells(line);
-        Row                row;
-        for (std::string cell; std::getline(cells, cell, ',');)
-          row.push_back(cell);
-        all.push_back(row);
-      }
-    return all;
-  }
-
   /// kappa = 1 MPa (errata 18), profiles (4.7.3) to (4.7.5).
   Rod1dParameters thesis_rod(const int profile, const unsigned int n_elements = 8)
   {

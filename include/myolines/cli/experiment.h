@@ -43,19 +43,22 @@ namespace myolines
 
   private:
     void                  refuse_ignored_inertia() const;
+    void                  make_method();
+    TimeMethod           &time_method() const;
     std::optional<double> first_velocity_jump() const;
 
-    scene::Node                  scene_;
-    WorkLedger                   ledger_;
-    AssembledSystem              assembled_;
-    const IntegratorEntry       &method_;
-    LoopSettings                 settings_;
-    LinearSolver                 linear_;
-    NonlinearSolver              nonlinear_;
-    std::unique_ptr<ErrorNorm>   error_norm_;
-    std::unique_ptr<Integrator>  integrator_;
-    std::unique_ptr<StepControl> control_;
-    std::optional<State>         resumed_;
-    std::vector<std::string>     solver_plan_;
+    scene::Node                          scene_;
+    WorkLedger                           ledger_;
+    AssembledSystem                      assembled_;
+    const IntegratorEntry               &method_;
+    LoopSettings                         settings_;
+    LinearSolver                         linear_;
+    NonlinearSolver                      nonlinear_;
+    std::unique_ptr<ErrorNorm>           error_norm_;
+    std::unique_ptr<Integrator>          integrator_; ///< with its control_, or
+    std::unique_ptr<StepControl>         control_;
+    std::unique_ptr<SelfPacedIntegrator> self_paced_; ///< one that needs none
+    std::optional<State>                 resumed_;
+    std::vector<std::string>             solver_plan_;
   };
 } // namespace myolines

@@ -15,8 +15,8 @@ namespace myolines
   struct RunParts
   {
     const SemiDiscreteSystem      &system;
-    const Integrator              &integrator;
-    const StepControl             &control;
+    const TimeMethod              &integrator;
+    const StepControl             *control; ///< or none: the integrator chooses its steps
     const std::vector<Observer *> &observers;
     WorkLedger                    &ledger;
     std::string                    scene;       ///< every value in force

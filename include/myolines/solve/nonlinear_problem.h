@@ -32,6 +32,9 @@ namespace myolines
     /// Whether F is affine: a direct solve then ends at the root, where only rounding is left of the residual.
     virtual bool affine() const { return false; }
 
+    /// Whether F is a residual of the system, in whose unit the absolute tolerance of a solver is given; else F is solved relatively.
+    virtual bool has_unit_of_residual() const { return true; }
+
     /// Entries of x mean no more than this: what the rounding of the numbers that they are added to makes of them.
     virtual double resolution() const { return 0; }
 

@@ -60,7 +60,9 @@ namespace myolines
   /// Parameters of the step control `error`, in the list `time/control`.
   scene::Schema error_control_schema();
 
-  /// As the list `time` asks for: its `step` is the first one.
+  /// What the list `time` asks for: its `step` is the first one. @throws InputError if its parameters contradict each other.
+  ErrorControlLimits error_control_limits(const scene::Node &time);
+
   std::unique_ptr<StepControl> make_error_control(const scene::Node &time, unsigned int exponent);
 
   /// The norm that goes with the step control of the list `time`; none if its steps are not chosen by error.

@@ -40,7 +40,8 @@ namespace myolines
     /// Of changes c_u @p d [m], c_v @p d [m/s] at sizes @p u, @p v, in units of the fraction that nonlinear solves may leave.
     double of_solve(const Vector &d, const Weights &c, double u, double v) const;
 
-    bool looks_at_velocity() const { return tolerances_.velocity.has_value(); }
+    const ErrorTolerances &tolerances() const { return tolerances_; }
+    bool                   looks_at_velocity() const { return tolerances_.velocity.has_value(); }
 
     /// Notes the estimate @p error in @p report and refuses the step if it exceeds 1.
     static void judge(double error, StepReport &report);

@@ -86,6 +86,7 @@ namespace myolines
   };
 
   class ErrorNorm;
+  struct ErrorControlLimits;
 
   /// What every integrator gets to work with. All references outlive the integrator.
   struct IntegratorContext
@@ -101,30 +102,51 @@ namespace myolines
     const ErrorNorm *error_norm = nullptr;
   };
 
-  /// One-step contract.
+  /// What advances a state in time.
   /// - start(state): state.t, u, v hold the beginning of a smooth piece (the initial time or a kink). The method
   ///   prepares what it needs (accelerations, empty history). Call again after every event at which the loop restarts.
-  /// - step(dt, state): on entry t, u, v, a are the last accepted step; on return with Outcome::accepted they are at
-  ///   exactly t + dt, else bit-equal to entry. Never changes dt, never loops over steps, never prints.
   /// - save/load: everything beyond the state that the next step depends on.
-  class Integrator
+  class TimeMethod
   {
   public:
-    virtual ~Integrator() = default;
+    virtual ~TimeMethod() = default;
 
-    virtual void       start(State &state)           = 0;
-    virtual StepReport step(double dt, State &state) = 0;
+    virtual void start(State &state) = 0;
 
     virtual void save(Archive &archive) const = 0;
     virtual void load(const Archive &archive) = 0;
   };
 
-  /// What one file in integrators/ provides: facts, parameters, and how to make one.
+  /// One-step contract.
+  /// - step(dt, state): on entry t, u, v, a are the last accepted step; on return with Outcome::accepted they are at
+  ///   exactly t + dt, else bit-equal to entry. Never changes dt, never loops over steps, never prints.
+  class Integrator : public TimeMethod
+  {
+  public:
+    virtual StepReport step(double dt, State &state) = 0;
+  };
+
+  /// Methods whose steps are their own choice.
+  /// - advance(t_stop, state): one step from state.t to a later time, at most @p t_stop, and @p t_stop bit for bit where it
+  ///   reaches it. On return with Outcome::accepted state is there, else bit-equal to entry and the method is at its end: its own
+  ///   attempts with shorter steps have failed. Attempts that it rejected are counted in the ledger, "rejected steps".
+  class SelfPacedIntegrator : public TimeMethod
+  {
+  public:
+    virtual StepReport advance(double t_stop, State &state) = 0;
+  };
+
+  /// What one file in integrators/ provides: facts, parameters, and how to make one, or both kinds.
   struct IntegratorEntry
   {
     MethodFacts                                                                                facts;
     scene::Schema                                                                              schema;
     std::function<std::unique_ptr<Integrator>(const scene::Node &, const IntegratorContext &)> make;
+
+    /// Where steps are chosen by error, for methods that do so themselves: the context has an error norm, and the limits are those of
+    /// the scene. Empty: ErrorControl chooses. A method with this only, without make(), is refused where steps are given.
+    std::function<std::unique_ptr<SelfPacedIntegrator>(const scene::Node &, const IntegratorContext &, const ErrorControlLimits &)>
+        make_self_paced;
 
     /// What follows from the parameters, for `check`: coefficients, order, stability. Empty: nothing.
     std::function<std::vector<std::string>(const scene::Node &)> derived;

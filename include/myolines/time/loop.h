@@ -83,4 +83,9 @@ namespace myolines
   /// run; observers were told before.
   void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
                 const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper = nullptr);
+
+  /// The same with a method that chooses its steps itself: it stops at events (unless ignored), at the landings and at the end.
+  /// A step that fails ends the run.
+  void run_loop(const SemiDiscreteSystem &system, SelfPacedIntegrator &integrator, const LoopSettings &settings, State &state,
+                const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper = nullptr);
 } // namespace myolines

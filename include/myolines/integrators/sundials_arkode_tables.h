@@ -1,0 +1,42 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+#include <myolines/system/semi_discrete_system.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// Butcher tables by the names that ARKODE gives them, "ARKODE_" left out: the last numbers are stages, order of the embedded
+  /// formula, order.
+  struct ArkodeTables
+  {
+    std::optional<std::string> implicit;  ///< diagonally implicit; none: explicit method
+    std::optional<std::string> explicit_; ///< none: implicit method
+
+    bool additive() const { return implicit && explicit_; }
+
+    /// Orders of the method and of its embedded formula (0: none), and the number of stages.
+    int order() const;
+    int embedded_order() const;
+    int stages() const;
+  };
+
+  const std::vector<std::string> &arkode_implicit_tables();
+  const std::vector<std::string> &arkode_explicit_tables();
+
+  /// Pairs that belong together, implicit and explicit table of each.
+  const std::vector<std::pair<std::string, std::string>> &arkode_additive_pairs();
+
+  /// Declares the parameters `implicit table`, `explicit table` and `split`.
+  void declare_arkode_tables(scene::Schema &schema);
+
+  /// The tables that @p integrator asks for. @throws InputError if there is none, if two do not belong together, or if @p system
+  /// lacks the split or it is refused.
+  ArkodeTables arkode_tables(const scene::Node &integrator, const SemiDiscreteSystem &system);
+
+  /// The same without a system to look at, for `check`.
+  ArkodeTables arkode_tables(const scene::Node &integrator);
+} // namespace myolines

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <myolines/integrators/sundials_tools.h>
+#include <myolines/time/error_control.h>
+#include <myolines/time/integrator.h>
+
+#include <optional>
+
+namespace myolines
+{
+  /// What the solvers of SUNDIALS (doi:10.1145/1089014.1089020) share that choose their steps: the system in first-order form,
+  /// tolerances, stops at given times, what they tell of a step.
+  ///
+  /// Inadmissible states are recoverable failures: the solver tries a shorter step. Histories are its own: after load() the method
+  /// begins anew, with the step that would have been the next one.
+  ///
+  /// Ledger: "rejected steps" (error too large), "nonlinear convergence failures".
+  class SundialsIntegrator : public SelfPacedIntegrator
+  {
+  public:
+    void       start(State &state) final;
+    StepReport advance(double t_stop, State &state) final;
+    void       save(Archive &archive) const final;
+    void       load(const Archive &archive) final;
+
+  protected:
+    SundialsIntegrator(const IntegratorContext &context, const ErrorControlLimits &limits);
+
+    /// Totals since begin().
+    struct Statistics
+    {
+      long   error_failures  = 0;
+      long   solver_failures = 0;
+      double estimated_error = 0; ///< of the last step, relative to the tolerances
+    };
+
+    /// Begins anew at (t, y(), dy()); the first step [s] is @p first_step, or its own choice (0).
+    virtual void begin(double t, double first_step) = 0;
+
+    /// One step to @p t <= @p t_stop: y() and dy() become those there. Negative: failed.
+    virtual int evolve(double t_stop, double &t) = 0;
+
+    virtual Statistics statistics() const                   = 0;
+    virtual double     next_step() const                    = 0; ///< [s]
+    virtual void       allocate_solver(const State &layout) = 0; ///< once
+
+    FirstOrderForm           &form() const { return *form_; }
+    const SundialsContext    &sundials() const { return *sundials_; }
+    const ErrorControlLimits &limits() const { return limits_; }
+    const ErrorTolerances    &tolerances() const;
+    N_Vector                  y() const { return y_.get(); }
+    N_Vector                  dy() const { return dy_.get(); }
+
+    /// The size of @p error relative to the tolerances at y(), as set_error_weights() says.
+    double   size(N_Vector error) const;
+    N_Vector work() const { return work_.get(); }
+
+    /// Keeps what SUNDIALS says of a failure; for its error handlers, with this object as their data.
+    static void note_error(int code, const char *module, const char *function, char *text, void *self);
+
+  private:
+    void allocate(const State &state);
+    void begin_at(const State &state, double first_step);
+
+    const IntegratorContext          context_;
+    const ErrorControlLimits         limits_;
+    std::unique_ptr<FirstOrderForm>  form_;
+    std::unique_ptr<SundialsContext> sundials_;
+    SundialsVector                   y_, dy_, work_, weights_;
+    Statistics                       counted_;
+    std::optional<double>            step_after_load_; ///< [s]
+    bool                             begun_ = false;
+    std::string                      message_;
+  };
+
+  /// Refuses (InputError at the parameter type of @p integrator) what cannot be brought into first-order form: systems that @p facts
+  /// do not fit, and boundaries that move by the formulas of a method.
+  void require_first_order_form(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
+} // namespace myolines

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <myolines/time/error_norm.h>
+#include <myolines/time/first_order_form.h>
+
+#include <sundials/sundials_context.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nvector.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace myolines
+{
+  /// One session with SUNDIALS, on the ranks of a communicator.
+  class SundialsContext
+  {
+  public:
+    explicit SundialsContext(MPI_Comm communicator);
+    ~SundialsContext() { SUNContext_Free(&context_); }
+    SundialsContext(const SundialsContext &)            = delete;
+    SundialsContext &operator=(const SundialsContext &) = delete;
+
+    operator SUNContext() const { return context_; }
+
+  private:
+    MPI_Comm   communicator_;
+    SUNContext context_ = nullptr;
+  };
+
+  using SundialsVector = std::unique_ptr<std::remove_pointer_t<N_Vector>, void (*)(N_Vector)>;
+
+  /// y = (u, v) of the free unknowns of @p form, zero.
+  SundialsVector make_sundials_vector(const FirstOrderForm &form, SUNContext context);
+
+  inline double       *entries(N_Vector x) { return N_VGetArrayPointer(x); }
+  inline const double *entries(const SundialsVector &x) { return N_VGetArrayPointer(x.get()); }
+  inline double       *entries(SundialsVector &x) { return N_VGetArrayPointer(x.get()); }
+
+  /// A matrix that SUNDIALS hands around and only we know, with the solver that goes with it.
+  class SundialsMatrix
+  {
+  public:
+    /// y = A x or A y = x, of whole vectors (u, v); false: it failed, and a shorter step may help.
+    using Map = std::function<bool(const double *x, double *y)>;
+
+    /// @p times may be empty: only the mass is multiplied with.
+    SundialsMatrix(SUNContext context, Map solve, Map times = {});
+    ~SundialsMatrix();
+    SundialsMatrix(const SundialsMatrix &)            = delete;
+    SundialsMatrix &operator=(const SundialsMatrix &) = delete;
+
+    SUNMatrix       matrix() const { return matrix_; }
+    SUNLinearSolver solver() const { return solver_; }
+
+  private:
+    Map             solve_, times_;
+    SUNMatrix       matrix_;
+    SUNLinearSolver solver_;
+  };
+
+  /// Of Newton's method in one stage. The three or four that SUNDIALS would allow are too few for muscle, where a first guess that is
+  /// extrapolated violates the volume constraint, and linear systems are solved to `forcing maximum` only.
+  constexpr int maximum_sundials_iterations = 12;
+
+  /// Weights with which the WRMS norm of SUNDIALS is sqrt(E_u^2 + E_v^2), E of a block the root mean square of its errors over its
+  /// tolerance as in ErrorNorm; without a tolerance of velocities it is E_u.
+  void set_error_weights(const ErrorTolerances &tolerances, const FirstOrderForm &form, const double *y, double *weights);
+
+  /// Throws (std::runtime_error) unless @p flag says success; for calls that cannot fail if the program is right.
+  void require_success(int flag, const char *call);
+} // namespace myolines

@@ -1,0 +1,136 @@
+#include <myolines/base/names.h>
+#include <myolines/integrators/sundials_arkode_tables.h>
+
+#include <arkode/arkode_butcher_dirk.h>
+#include <arkode/arkode_butcher_erk.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace myolines
+{
+  namespace
+  {
+    const std::string none = "none", prefix = "ARKODE_";
+
+    using Table = std::unique_ptr<ARKodeButcherTableMem, void (*)(ARKodeButcherTable)>;
+
+    Table load(const ArkodeTables &tables)
+    {
+      return {tables.implicit ? ARKodeButcherTable_LoadDIRKByName((prefix + *tables.implicit).c_str())
+                              : ARKodeButcherTable_LoadERKByName((prefix + *tables.explicit_).c_str()),
+              ARKodeButcherTable_Free};
+    }
+
+    std::vector<std::string> with_none(std::vector<std::string> names)
+    {
+      names.insert(names.begin(), none);
+      return names;
+    }
+  } // namespace
+
+  int ArkodeTables::order() const { return load(*this)->q; }
+  int ArkodeTables::embedded_order() const { return load(*this)->p; }
+  int ArkodeTables::stages() const { return load(*this)->stages; }
+
+  const std::vector<std::string> &arkode_implicit_tables()
+  {
+    static const std::vector<std::string> names = {"SDIRK_2_1_2",
+                                                   "BILLINGTON_3_3_2",
+                                                   "TRBDF2_3_3_2",
+                                                   "KVAERNO_4_2_3",
+                                                   "ARK324L2SA_DIRK_4_2_3",
+                                                   "CASH_5_2_4",
+                                                   "CASH_5_3_4",
+                                                   "SDIRK_5_3_4",
+                                                   "KVAERNO_5_3_4",
+                                                   "ARK436L2SA_DIRK_6_3_4",
+                                                   "KVAERNO_7_4_5",
+                                                   "ARK548L2SA_DIRK_8_4_5",
+                                                   "ARK437L2SA_DIRK_7_3_4",
+                                                   "ARK548L2SAb_DIRK_8_4_5",
+                                                   "ESDIRK324L2SA_4_2_3",
+                                                   "ESDIRK325L2SA_5_2_3",
+                                                   "ESDIRK32I5L2SA_5_2_3",
+                                                   "ESDIRK436L2SA_6_3_4",
+                                                   "ESDIRK43I6L2SA_6_3_4",
+                                                   "QESDIRK436L2SA_6_3_4",
+                                                   "ESDIRK437L2SA_7_3_4",
+                                                   "ESDIRK547L2SA_7_4_5",
+                                                   "ESDIRK547L2SA2_7_4_5"};
+    return names;
+  }
+
+  const std::vector<std::string> &arkode_explicit_tables()
+  {
+    static const std::vector<std::string> names = {
+        "HEUN_EULER_2_1_2",   "BOGACKI_SHAMPINE_4_2_3", "ARK324L2SA_ERK_4_2_3", "ZONNEVELD_5_3_4",      "ARK436L2SA_ERK_6_3_4",
+        "SAYFY_ABURUB_6_3_4", "CASH_KARP_6_4_5",        "FEHLBERG_6_4_5",       "DORMAND_PRINCE_7_4_5", "ARK548L2SA_ERK_8_4_5",
+        "VERNER_8_5_6",       "FEHLBERG_13_7_8",        "KNOTH_WOLKE_3_3",      "ARK437L2SA_ERK_7_3_4", "ARK548L2SAb_ERK_8_4_5"};
+    return names;
+  }
+
+  const std::vector<std::pair<std::string, std::string>> &arkode_additive_pairs()
+  {
+    static const std::vector<std::pair<std::string, std::string>> pairs = {{"ARK324L2SA_DIRK_4_2_3", "ARK324L2SA_ERK_4_2_3"},
+                                                                           {"ARK436L2SA_DIRK_6_3_4", "ARK436L2SA_ERK_6_3_4"},
+                                                                           {"ARK437L2SA_DIRK_7_3_4", "ARK437L2SA_ERK_7_3_4"},
+                                                                           {"ARK548L2SA_DIRK_8_4_5", "ARK548L2SA_ERK_8_4_5"},
+                                                                           {"ARK548L2SAb_DIRK_8_4_5", "ARK548L2SAb_ERK_8_4_5"}};
+    return pairs;
+  }
+
+  void declare_arkode_tables(scene::Schema &schema)
+  {
+    schema
+        .choice("implicit table", "ESDIRK325L2SA_5_2_3", with_none(arkode_implicit_tables()),
+                "Diagonally implicit Runge-Kutta method; the last numbers of a name are stages, order of the error estimate, order.")
+        .choice("explicit table", none, with_none(arkode_explicit_tables()),
+                "Explicit Runge-Kutta method; with an implicit one of the same name: the additive method, which needs \"split\".")
+        .optional_text("split", "What an additive method treats implicitly; `check` names the splits of a system.")
+        .boolean("force", false, "Runs a split that is known not to converge, too.");
+  }
+
+  ArkodeTables arkode_tables(const scene::Node &integrator)
+  {
+    ArkodeTables tables;
+    if (integrator.text("implicit table") != none)
+      tables.implicit = integrator.text("implicit table");
+    if (integrator.text("explicit table") != none)
+      tables.explicit_ = integrator.text("explicit table");
+    if (!tables.implicit && !tables.explicit_)
+      integrator.refuse("implicit table", "there is neither an implicit nor an explicit table", "at least one of them");
+    if (tables.additive())
+      {
+        std::vector<std::string> pairs;
+        for (const auto &[implicit, explicit_] : arkode_additive_pairs())
+          pairs.push_back(implicit + " with " + explicit_);
+        if (std::find(arkode_additive_pairs().begin(), arkode_additive_pairs().end(), std::pair(*tables.implicit, *tables.explicit_)) ==
+            arkode_additive_pairs().end())
+          integrator.refuse("explicit table", "the two tables do not belong together", "one of " + join(pairs));
+        if (!integrator.has("split"))
+          integrator.refuse("explicit table", "an additive method needs to know what is implicit", "a \"split\"");
+      }
+    else if (integrator.has("split"))
+      integrator.refuse("split", "only an additive method, with two tables, splits the forces", "no \"split\"");
+    return tables;
+  }
+
+  ArkodeTables arkode_tables(const scene::Node &integrator, const SemiDiscreteSystem &system)
+  {
+    const ArkodeTables tables = arkode_tables(integrator);
+    if (!tables.additive())
+      return tables;
+    std::vector<std::string> names;
+    for (const Split &split : system.capabilities().splits)
+      {
+        names.push_back(split.name);
+        if (split.name != integrator.text("split"))
+          continue;
+        if (!split.refused.empty() && !integrator.boolean("force"))
+          integrator.refuse("split", split.refused, "another split", "\"force\" = true runs it all the same");
+        return tables;
+      }
+    integrator.refuse("split", "the system has no split of that name", names.empty() ? "a system with splits" : "one of " + join(names));
+  }
+} // namespace myolines

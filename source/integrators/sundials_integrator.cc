@@ -1,0 +1,110 @@
+#include <myolines/integrators/sundials_integrator.h>
+#include <myolines/time/error_norm.h>
+#include <myolines/time/start.h>
+
+#include <algorithm>
+
+namespace myolines
+{
+  SundialsIntegrator::SundialsIntegrator(const IntegratorContext &context, const ErrorControlLimits &limits)
+    : context_(context)
+    , limits_(limits)
+    , y_(nullptr, N_VDestroy)
+    , dy_(nullptr, N_VDestroy)
+    , work_(nullptr, N_VDestroy)
+    , weights_(nullptr, N_VDestroy)
+  {}
+
+  const ErrorTolerances &SundialsIntegrator::tolerances() const { return context_.error_norm->tolerances(); }
+
+  void SundialsIntegrator::allocate(const State &state)
+  {
+    if (form_)
+      return;
+    form_     = std::make_unique<FirstOrderForm>(context_, state);
+    sundials_ = std::make_unique<SundialsContext>(form_->communicator());
+    for (SundialsVector *x : {&y_, &dy_, &work_, &weights_})
+      *x = make_sundials_vector(*form_, *sundials_);
+    allocate_solver(state);
+  }
+
+  void SundialsIntegrator::begin_at(const State &state, const double first_step)
+  {
+    const std::size_t n = form_->n_free();
+    form_->gather(state, entries(y_), entries(dy_) + n);
+    std::copy(entries(y_) + n, entries(y_) + 2 * n, entries(dy_));
+    counted_ = {};
+    begin(state.t, first_step);
+    begun_ = true;
+  }
+
+  void SundialsIntegrator::start(State &state)
+  {
+    allocate(state);
+    start_piece(context_, form_->stage_solver(), state);
+    consistent_acceleration(context_, form_->stage_solver(), Side::right, state);
+    form_->begin_piece(state.t);
+    const bool first = !begun_;
+    begin_at(state, first ? std::min(limits_.first_step, limits_.maximum_step) : 0);
+  }
+
+  StepReport SundialsIntegrator::advance(const double t_stop, State &state)
+  {
+    allocate(state);
+    if (!begun_)
+      begin_at(state, step_after_load_.value_or(0));
+    message_.clear();
+    double            t      = state.t;
+    const int         flag   = evolve(t_stop, t);
+    StepReport        report = form_->take_counts();
+    const std::string inner  = form_->take_reason();
+    if (flag >= 0 && t <= state.t)
+      message_ = "the step is below the rounding of time";
+    if (flag < 0 || t <= state.t)
+      {
+        begun_         = false;
+        report.outcome = StepReport::Outcome::not_converged;
+        report.reason  = message_ + (inner.empty() ? "" : " (" + inner + ")");
+        return report;
+      }
+    const Statistics now  = statistics();
+    report.error_estimate = now.estimated_error;
+    context_.ledger.count("rejected steps", now.error_failures - counted_.error_failures);
+    context_.ledger.count("nonlinear convergence failures", now.solver_failures - counted_.solver_failures);
+    counted_ = now;
+
+    const State &end = form_->state(t, entries(y_), entries(dy_) + form_->n_free());
+    state.t          = t;
+    state.u          = end.u;
+    state.v          = end.v;
+    state.a          = end.a;
+    return report;
+  }
+
+  void SundialsIntegrator::save(Archive &archive) const { archive.put("next step", begun_ ? next_step() : 0); }
+
+  void SundialsIntegrator::load(const Archive &archive)
+  {
+    begun_           = false;
+    step_after_load_ = archive.number("next step");
+  }
+
+  double SundialsIntegrator::size(N_Vector error) const
+  {
+    set_error_weights(tolerances(), *form_, entries(y()), entries(weights_.get()));
+    return N_VWrmsNorm(error, weights_.get());
+  }
+
+  void SundialsIntegrator::note_error(int, const char *, const char *, char *text, void *self)
+  {
+    static_cast<SundialsIntegrator *>(self)->message_ = text;
+  }
+
+  void require_first_order_form(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  {
+    require_fitting_system(facts, integrator, context);
+    if (context.boundary_rates == BoundaryRates::scheme && context.system.constraints().n_constraints() > 0)
+      integrator.refuse("type", "\"" + facts.name + "\" has no formulas of its own for the rates of a moving boundary",
+                        "\"time/boundary rates\" = \"exact\"");
+  }
+} // namespace myolines

@@ -1,0 +1,295 @@
+// The methods of SUNDIALS: every table has its order, errors follow tolerances, steps stop where they must, failures leave no trace.
+
+#include "exact.h"
+#include "experiment.h"
+
+#include <myolines/base/error.h>
+#include <myolines/integrators/sundials_arkode_tables.h>
+#include <myolines/time/error_control.h>
+
+#include <gtest/gtest.h>
+
+using namespace myolines;
+using namespace myolines::testing;
+
+namespace
+{
+  /// A method with parameters.
+  struct Method
+  {
+    std::string label;
+    std::string name;
+    Overrides   parameters;
+  };
+
+  inline void PrintTo(const Method &method, std::ostream *stream) { *stream << method.label; }
+
+  Method arkode(const std::string &implicit, const std::string &explicit_ = "none")
+  {
+    return {implicit == "none" ? explicit_ : implicit, "arkode", {"implicit table=" + implicit, "explicit table=" + explicit_}};
+  }
+
+  std::vector<Method> self_paced_methods()
+  {
+    return {{"ida", "ida", {}},
+            {"cvode", "cvode", {}},
+            {"cvode_adams", "cvode", {"formula=adams", "maximum order=12"}},
+            {"cvode_adams_fixed_point", "cvode", {"formula=adams", "maximum order=12", "iteration=fixed point"}},
+            arkode("ESDIRK325L2SA_5_2_3"),
+            arkode("ESDIRK547L2SA_7_4_5"),
+            arkode("none", "BOGACKI_SHAMPINE_4_2_3"),
+            arkode("none", "DORMAND_PRINCE_7_4_5"),
+            arkode("none", "FEHLBERG_13_7_8")};
+  }
+
+  /// An oscillator with steps that the method chooses.
+  struct SelfPaced
+  {
+    SelfPaced(const Method &method, OscillatorParameters parameters, const double end, const Overrides &settings)
+      : time(node(time_schema(), with(settings, end)))
+      , system(std::move(parameters), solvers.ledger)
+      , norm(make_error_norm(time, system))
+      , integrator(entry(method).make_self_paced(
+            node(entry(method).schema, method.parameters),
+            {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger, StartVelocity::consistent, norm.get()},
+            error_control_limits(time)))
+      , state(system.initial_state(0))
+    {}
+
+    static const IntegratorEntry &entry(const Method &method) { return integrator_entry(method.name); }
+
+    static Overrides with(Overrides settings, const double end)
+    {
+      std::ostringstream until;
+      until.precision(17);
+      until << "end=" << end;
+      settings.insert(settings.begin(), {"control/type=error", until.str(), "step=1e-3"});
+      return settings;
+    }
+
+    void run(const std::vector<Observer *> &observers = {}, Keeper *keeper = nullptr)
+    {
+      run_loop(system, *integrator, loop_settings(time), state, observers, solvers.ledger, keeper);
+    }
+
+    std::uint64_t steps() const { return solvers.ledger.counted("accepted steps"); }
+
+    Solvers                              solvers;
+    scene::Node                          time;
+    OscillatorSystem                     system;
+    std::unique_ptr<ErrorNorm>           norm;
+    std::unique_ptr<SelfPacedIntegrator> integrator;
+    State                                state;
+  };
+
+  Overrides tolerance(const double value)
+  {
+    std::ostringstream text;
+    text << value;
+    Overrides settings;
+    for (const char *block : {"displacement", "velocity"})
+      settings.insert(settings.end(), {std::string("control/") + block + "/relative tolerance=0",
+                                       std::string("control/") + block + "/absolute tolerance=" + text.str()});
+    return settings;
+  }
+
+  struct Times : Observer
+  {
+    void                accepted(const State &, const StepRecord &record) override { times.push_back(record.t); }
+    std::vector<double> times;
+  };
+
+  std::vector<double> values(const State &state)
+  {
+    std::vector<double> all = {state.t};
+    for (const Vector *x : {&state.u, &state.v, &state.a})
+      all.insert(all.end(), x->begin(), x->end());
+    return all;
+  }
+
+  class Sundials : public ::testing::TestWithParam<Method>
+  {
+  };
+} // namespace
+
+TEST_P(Sundials, errorsFollowTheToleranceOverFourDecades)
+{
+  for (const Problem &problem : problems())
+    {
+      std::vector<double> steps, errors;
+      for (const double tol : {1e-4, 1e-6, 1e-8})
+        {
+          SelfPaced run(GetParam(), problem.parameters, 10, tolerance(tol));
+          run.run();
+          EXPECT_EQ(run.state.t, 10);
+          steps.push_back(run.steps());
+          errors.push_back(std::abs(run.state.u(0) - problem.exact(10).u) + std::abs(run.state.v(0) - problem.exact(10).v));
+          EXPECT_LT(errors.back(), 400 * tol) << problem.name << ", " << run.steps() << " steps";
+        }
+      EXPECT_GT(std::log10(errors[0] / errors[2]), 2.5) << problem.name << ", errors " << ::testing::PrintToString(errors);
+      EXPECT_GT(steps[2], steps[0]) << problem.name;
+      EXPECT_LT(steps[2], 3e4) << problem.name;
+    }
+}
+
+TEST_P(Sundials, theAccelerationAtTheEndOfAStepIsThatOfTheEquations)
+{
+  OscillatorParameters parameters;
+  parameters.mass            = 3;
+  parameters.cubic_stiffness = 2;
+  parameters.damping         = 0.3;
+  SelfPaced run(GetParam(), parameters, 1, tolerance(1e-7));
+  run.run();
+  const double u = run.state.u(0), v = run.state.v(0);
+  EXPECT_NEAR(run.state.a(0), -(u + 2 * u * u * u + 0.3 * v) / 3, 1e-4);
+}
+
+TEST_P(Sundials, landsOnKinksAndOnTheEnd)
+{
+  OscillatorParameters parameters;
+  parameters.damping = 1;
+  parameters.support = std::make_shared<Ramp>(0.3, 2);
+  SelfPaced run(GetParam(), parameters, 1, tolerance(1e-6));
+  Times     times;
+  run.run({&times});
+  EXPECT_EQ(std::count(times.times.begin(), times.times.end(), 0.3), 1);
+  EXPECT_EQ(run.state.t, 1);
+  EXPECT_EQ(run.state.u(1), 1.4);
+  EXPECT_EQ(run.state.v(1), 2);
+  EXPECT_EQ(run.solvers.ledger.counted("restarts at events"), 1u);
+  EXPECT_TRUE(std::is_sorted(times.times.begin(), times.times.end()));
+}
+
+TEST_P(Sundials, goesOnFromASavedStateWithinTheTolerance)
+{
+  struct Save : Keeper
+  {
+    std::optional<std::string> accepted(const State &now, const std::size_t step) override
+    {
+      if (step == 12)
+        {
+          run->integrator->save(integrator);
+          state = now;
+        }
+      return std::nullopt;
+    }
+    void       ended(const State &, std::size_t) override {}
+    SelfPaced *run = nullptr;
+    Archive    integrator;
+    State      state;
+  } save;
+  OscillatorParameters parameters;
+  parameters.cubic_stiffness = 2;
+  SelfPaced whole(GetParam(), parameters, 5, tolerance(1e-6)), resumed(GetParam(), parameters, 5, tolerance(1e-6));
+  save.run = &whole;
+  whole.run({}, &save);
+  ASSERT_GT(save.state.t, 0);
+  resumed.state = save.state;
+  resumed.integrator->load(save.integrator);
+  resumed.run();
+  EXPECT_NEAR(resumed.state.u(0), duffing(2, 5).u, 2e-4);
+  EXPECT_NEAR(resumed.state.u(0), whole.state.u(0), 2e-4);
+}
+
+TEST_P(Sundials, aFailureLeavesTheStateAndSaysWhy)
+{
+  OscillatorParameters parameters;
+  parameters.force   = std::make_shared<SmoothDrive>([](double t) { return t < 0.5 ? 0. : std::numeric_limits<double>::infinity(); },
+                                                   [](double) { return 0.; }, [](double) { return 0.; });
+  Overrides settings = tolerance(1e-6);
+  settings.push_back("control/minimum step=1e-6");
+  settings.push_back("control/maximum step=0.1");
+  SelfPaced run(GetParam(), parameters, 1, settings);
+  run.integrator->start(run.state);
+  StepReport          report;
+  std::vector<double> before;
+  while (report.accepted())
+    {
+      before = values(run.state);
+      report = run.integrator->advance(1, run.state);
+    }
+  EXPECT_EQ(values(run.state), before);
+  EXPECT_FALSE(report.reason.empty());
+  EXPECT_GT(run.state.t, 0.3);
+  EXPECT_LE(run.state.t, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(methods, Sundials, ::testing::ValuesIn(self_paced_methods()), [](const auto &info) { return info.param.label; });
+
+namespace
+{
+  std::vector<Method> all_tables()
+  {
+    std::vector<Method> all;
+    for (const std::string &name : arkode_implicit_tables())
+      all.push_back(arkode(name));
+    for (const std::string &name : arkode_explicit_tables())
+      all.push_back(arkode("none", name));
+    return all;
+  }
+
+  class Table : public ::testing::TestWithParam<Method>
+  {
+  protected:
+    static double error(const Problem &problem, const unsigned int n)
+    {
+      Experiment run(integrator_entry("arkode"), problem.parameters, BoundaryRates::exact, GetParam().parameters);
+      run.run(2, 2. / n);
+      EXPECT_EQ(run.solvers.ledger.counted("accepted steps"), n);
+      return std::hypot(run.state.u(0) - problem.exact(2).u, run.state.v(0) - problem.exact(2).v);
+    }
+  };
+} // namespace
+
+/// The order is the last number of the name; linear problems may show more.
+TEST_P(Table, hasItsOrder)
+{
+  const std::string &label = GetParam().label;
+  const int          order = std::stoi(label.substr(label.rfind('_') + 1));
+  for (const Problem &problem : problems())
+    {
+      const unsigned int n    = order >= 7 ? 6 : 40;
+      const double       rate = std::log2(error(problem, n) / error(problem, 2 * n));
+      EXPECT_GT(rate, order - (order >= 5 ? 0.5 : 0.25)) << problem.name;
+      EXPECT_LT(rate, order + 1.5) << problem.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(arkode, Table, ::testing::ValuesIn(all_tables()), [](const auto &info) { return info.param.label; });
+
+TEST(Arkode, refusesTablesThatDoNotFit)
+{
+  const IntegratorEntry &entry   = integrator_entry("arkode");
+  const auto             refused = [&](const Overrides &parameters) {
+    try
+      {
+        arkode_tables(node(entry.schema, parameters));
+        return std::string();
+      }
+    catch (const InputError &error)
+      {
+        return std::string(error.what());
+      }
+  };
+  EXPECT_EQ(refused({}), "");
+  EXPECT_NE(refused({"implicit table=none"}).find("neither"), std::string::npos);
+  EXPECT_NE(refused({"split=linear"}).find("only an additive method"), std::string::npos);
+  EXPECT_NE(refused({"explicit table=VERNER_8_5_6", "split=linear"}).find("do not belong together"), std::string::npos);
+  EXPECT_NE(refused({"implicit table=ARK324L2SA_DIRK_4_2_3", "explicit table=ARK324L2SA_ERK_4_2_3"}).find("what is implicit"),
+            std::string::npos);
+  EXPECT_EQ(refused({"implicit table=ARK324L2SA_DIRK_4_2_3", "explicit table=ARK324L2SA_ERK_4_2_3", "split=linear"}), "");
+}
+
+TEST(SundialsMethods, refuseBoundariesThatMoveByFormulas)
+{
+  OscillatorParameters moving;
+  moving.support = sine(1, 2);
+  for (const char *name : {"ida", "cvode", "arkode"})
+    {
+      Solvers                solvers;
+      const OscillatorSystem system(moving, solvers.ledger);
+      const IntegratorEntry &entry = integrator_entry(name);
+      EXPECT_THROW(entry.make_self_paced(node(entry.schema), {system, solvers.nonlinear, BoundaryRates::scheme, solvers.ledger}, {}),
+                   InputError);
+    }
+}
