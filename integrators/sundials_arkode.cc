@@ -1,4 +1,4 @@
-#include <myolines/integrators/sundials_arkode_tables.h>
+#include <myolines/integrators/sundials_arkode_system.h>
 #include <myolines/integrators/sundials_integrator.h>
 #include <myolines/time/start.h>
 
@@ -26,165 +26,6 @@ namespace myolines
       return facts;
     }
 
-    /// Right-hand sides and matrices for ARKODE: M y' = f with M = (1, M), f = (v, -F). An additive method splits -F into -F_I of
-    /// the implicit part and the rest. An iteration with the matrix M - g df_I/dy and the right-hand side b is
-    ///
-    ///     (M + g C + g^2 K) x_u = (M + g C) b_u + g b_v,    x_v = (x_u - b_u) / g.
-    class ArkodeSystem
-    {
-    public:
-      /// @p implicit is the form of the implicit part, or the whole.
-      ArkodeSystem(FirstOrderForm &whole, FirstOrderForm &implicit, const SundialsContext &sundials)
-        : whole_(whole)
-        , implicit_(implicit)
-        , newton_(sundials, [this](const double *b, double *x) { return solve(b, x); })
-        , mass_(
-              sundials, [this](const double *b, double *x) { return copy(b, x) && whole_.solve_mass(b + n(), x + n()); },
-              [this](const double *x, double *y) {
-                whole_.apply_mass(x + n(), y + n());
-                return copy(x, y);
-              })
-        , force_(n())
-        , other_(n())
-      {}
-
-      /// The memory of ARKODE for @p tables at (t, y), with this object as the data of its callbacks.
-      void *create(const ArkodeTables &tables, const double t, N_Vector y, const SundialsContext &sundials)
-      {
-        const ARKRhsFn f_explicit = tables.additive() ? explicit_part : tables.explicit_ ? whole : nullptr;
-        const ARKRhsFn f_implicit = tables.additive() ? implicit_part : tables.implicit ? whole : nullptr;
-        void *const    memory     = ARKStepCreate(f_explicit, f_implicit, t, y, sundials);
-        require_success(ARKStepSetTableName(memory, ("ARKODE_" + tables.implicit.value_or("DIRK_NONE")).c_str(),
-                                            ("ARKODE_" + tables.explicit_.value_or("ERK_NONE")).c_str()),
-                        "ARKStepSetTableName");
-        ARKStepSetUserData(memory, this);
-        require_success(ARKStepWFtolerances(memory, error_weights), "ARKStepWFtolerances");
-        if (tables.implicit)
-          {
-            require_success(ARKStepSetLinearSolver(memory, newton_.solver(), newton_.matrix()), "ARKStepSetLinearSolver");
-            require_success(ARKStepSetLinSysFn(memory, linearise), "ARKStepSetLinSysFn");
-            // f of a stage from what the iteration found: f(z) would magnify what it left by the stiffness
-            ARKStepSetDeduceImplicitRhs(memory, SUNTRUE);
-            ARKStepSetMaxNonlinIters(memory, maximum_sundials_iterations);
-            // fresh at every step: rates of convergence that earlier steps have shown pass a first iteration with a worse matrix
-            ARKStepSetLSetupFrequency(memory, 1);
-            ARKStepSetLinearSolutionScaling(memory, SUNFALSE); // solve() takes the present g
-          }
-        require_success(ARKStepSetMassLinearSolver(memory, mass_.solver(), mass_.matrix(), SUNFALSE), "ARKStepSetMassLinearSolver");
-        require_success(ARKStepSetMassFn(memory, [](realtype, SUNMatrix, void *, N_Vector, N_Vector, N_Vector) { return 0; }),
-                        "ARKStepSetMassFn");
-        ARKStepSetInterpolantDegree(memory, 3); // its derivative at the end of a step is that of the equations, for nothing
-        return memory_ = memory;
-      }
-
-      std::size_t n() const { return whole_.n_free(); }
-
-      ErrorTolerances tolerances{};
-
-      static int error_weights(N_Vector y, N_Vector weights, void *self)
-      {
-        const ArkodeSystem &system = *static_cast<ArkodeSystem *>(self);
-        set_error_weights(system.tolerances, system.whole_, entries(y), entries(weights));
-        return 0;
-      }
-
-    private:
-      static int whole(const double t, N_Vector y, N_Vector f, void *self)
-      {
-        ArkodeSystem &system = *static_cast<ArkodeSystem *>(self);
-        return system.right_hand_side(system.whole_, t, entries(y), entries(f)) ? 0 : 1;
-      }
-
-      static int implicit_part(const double t, N_Vector y, N_Vector f, void *self)
-      {
-        ArkodeSystem &system = *static_cast<ArkodeSystem *>(self);
-        return system.right_hand_side(system.implicit_, t, entries(y), entries(f)) ? 0 : 1;
-      }
-
-      static int explicit_part(const double t, N_Vector y, N_Vector f, void *self)
-      {
-        ArkodeSystem     &system = *static_cast<ArkodeSystem *>(self);
-        const std::size_t n      = system.n();
-        if (!system.implicit_.residual(t, entries(y), nullptr, system.force_.data()) ||
-            !system.whole_.residual(t, entries(y), nullptr, system.other_.data()))
-          return 1;
-        for (std::size_t i = 0; i < n; ++i)
-          {
-            entries(f)[i]     = 0;
-            entries(f)[n + i] = system.force_[i] - system.other_[i];
-          }
-        return 0;
-      }
-
-      bool right_hand_side(FirstOrderForm &form, const double t, const double *y, double *f)
-      {
-        if (!form.residual(t, y, nullptr, force_.data()))
-          return false;
-        std::copy(y + n(), y + 2 * n(), f);
-        std::transform(force_.begin(), force_.end(), f + n(), std::negate<>());
-        return true;
-      }
-
-      static int linearise(const double t, N_Vector y, N_Vector, SUNMatrix, SUNMatrix, const int up_to_date, int *renewed, const double,
-                           void *self, N_Vector, N_Vector, N_Vector)
-      {
-        ArkodeSystem &system = *static_cast<ArkodeSystem *>(self);
-        if (!up_to_date)
-          system.implicit_.linearise(t, entries(y), nullptr);
-        *renewed = !up_to_date;
-        return 0;
-      }
-
-      bool solve(const double *b, double *x)
-      {
-        double g = 0;
-        ARKStepGetCurrentGamma(memory_, &g);
-        implicit_.apply({0, g, 1}, b, force_.data());
-        for (std::size_t i = 0; i < n(); ++i)
-          force_[i] += g * b[n() + i];
-        if (!implicit_.solve({g * g, g, 1}, force_.data(), x))
-          return false;
-        for (std::size_t i = 0; i < n(); ++i)
-          x[n() + i] = (x[i] - b[i]) / g;
-        return true;
-      }
-
-      bool copy(const double *from, double *to) const
-      {
-        std::copy(from, from + n(), to);
-        return true;
-      }
-
-      FirstOrderForm     &whole_, &implicit_;
-      SundialsMatrix      newton_, mass_;
-      std::vector<double> force_, other_;
-      void               *memory_ = nullptr; ///< of ARKODE, not ours
-    };
-
-    /// What both kinds of steps need, once the layout is known.
-    struct ArkodeParts
-    {
-      ArkodeParts(const ArkodeTables &tables, const scene::Node &node, const IntegratorContext &context, FirstOrderForm &whole,
-                  const SundialsContext &sundials, const State &layout)
-        : implicit_system(tables.additive() ? context.system.implicit_part(node.text("split")) : nullptr)
-        , implicit_form(implicit_system
-                            ? std::make_unique<FirstOrderForm>(
-                                  IntegratorContext{*implicit_system, context.solver, context.boundary_rates, context.ledger}, layout)
-                            : nullptr)
-        , system(whole, implicit_form ? *implicit_form : whole, sundials)
-      {}
-
-      void begin_piece(const double t)
-      {
-        if (implicit_form)
-          implicit_form->begin_piece(t);
-      }
-
-      std::unique_ptr<SemiDiscreteSystem> implicit_system;
-      std::unique_ptr<FirstOrderForm>     implicit_form;
-      ArkodeSystem                        system;
-    };
-
     /// Steps chosen by error.
     class AdaptiveArkode : public SundialsIntegrator
     {
@@ -195,21 +36,16 @@ namespace myolines
         , context_(context)
         , tables_(arkode_tables(node, context.system))
       {}
-      ~AdaptiveArkode() override { ARKStepFree(&memory_); }
 
     private:
       void allocate_solver(const State &layout) override
       {
-        parts_.emplace(tables_, node_, context_, form(), sundials(), layout);
-        parts_->system.tolerances = tolerances();
+        system_.emplace(tables_, tolerances(), node_, context_, form(), sundials(), layout);
       }
 
       void begin(const double t, const double first_step) override
       {
-        form().linearise_mass(t, entries(y()));
-        parts_->begin_piece(t);
-        ARKStepFree(&memory_);
-        memory_ = parts_->system.create(tables_, t, y(), sundials());
+        memory_ = system_->begin(t, y(), true);
         require_success(ARKStepSetErrHandlerFn(memory_, note_error, static_cast<SundialsIntegrator *>(this)), "ARKStepSetErrHandlerFn");
         ARKStepSetInitStep(memory_, first_step);
         ARKStepSetMinStep(memory_, limits().minimum_step);
@@ -264,12 +100,12 @@ namespace myolines
 
       static constexpr double smallest_error = 1e-6; ///< what is below is rounding
 
-      const scene::Node          node_;
-      const IntegratorContext    context_;
-      const ArkodeTables         tables_;
-      std::optional<ArkodeParts> parts_;
-      void                      *memory_ = nullptr;
-      double                     error_  = 0; ///< of the last step, relative to the tolerances
+      const scene::Node           node_;
+      const IntegratorContext     context_;
+      const ArkodeTables          tables_;
+      std::optional<ArkodeSystem> system_;
+      void                       *memory_ = nullptr;
+      double                      error_  = 0; ///< of the last step, relative to the tolerances
     };
 
     /// Steps as they are given; the error is not looked at. Every step begins from the state alone.
@@ -281,7 +117,6 @@ namespace myolines
         , context_(context)
         , tables_(arkode_tables(node, context.system))
       {}
-      ~FixedArkode() override { ARKStepFree(&memory_); }
 
       void start(State &state) override
       {
@@ -289,7 +124,8 @@ namespace myolines
         start_piece(context_, form_->stage_solver(), state);
         consistent_acceleration(context_, form_->stage_solver(), Side::right, state);
         form_->begin_piece(state.t);
-        parts_->begin_piece(state.t);
+        form_->gather(state, entries(y_));
+        create(state.t, true);
       }
 
       StepReport step(const double dt, State &state) override
@@ -297,7 +133,7 @@ namespace myolines
         allocate(state);
         form_->gather(state, entries(y_));
         if (memory_ == nullptr)
-          create(state.t);
+          create(state.t, false);
         else if (!going_on(state))
           require_success(ARKStepReset(memory_, state.t, y_.get()), "ARKStepReset");
         ARKStepSetFixedStep(memory_, dt);
@@ -338,15 +174,13 @@ namespace myolines
         sundials_ = std::make_unique<SundialsContext>(form_->communicator());
         y_        = make_sundials_vector(*form_, *sundials_);
         dy_       = make_sundials_vector(*form_, *sundials_);
-        parts_.emplace(tables_, node_, context_, *form_, *sundials_, state);
         const ErrorTolerances::Block newton{node_.number("relative tolerance"), node_.number("absolute tolerance")};
-        parts_->system.tolerances = {newton, newton};
+        system_.emplace(tables_, ErrorTolerances{newton, newton}, node_, context_, *form_, *sundials_, state);
       }
 
-      void create(const double t)
+      void create(const double t, const bool piece)
       {
-        form_->linearise_mass(t, entries(y_));
-        memory_ = parts_->system.create(tables_, t, y_.get(), *sundials_);
+        memory_ = system_->begin(t, y_.get(), piece);
         require_success(ARKStepSetErrHandlerFn(
                             memory_,
                             [](int, const char *, const char *, char *text, void *self) { *static_cast<std::string *>(self) = text; },
@@ -366,7 +200,7 @@ namespace myolines
       std::unique_ptr<FirstOrderForm>  form_;
       std::unique_ptr<SundialsContext> sundials_;
       SundialsVector                   y_{nullptr, N_VDestroy}, dy_{nullptr, N_VDestroy};
-      std::optional<ArkodeParts>       parts_;
+      std::optional<ArkodeSystem>      system_;
       void                            *memory_ = nullptr;
       std::vector<double>              end_; ///< y where the last step ended; empty: none
       double                           end_t_ = 0;

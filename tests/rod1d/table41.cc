@@ -1,13 +1,12 @@
 // Table 4.1 of the thesis: convergence of a linear rod with g(t) = 0.1 t^3 at t = 0.5 s.
 
 #include "../support/drives.h"
+#include "../support/table.h"
 #include "rod.h"
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <gtest/gtest.h>
-
-#include <fstream>
 
 using namespace myolines;
 using namespace myolines::testing;
@@ -22,18 +21,9 @@ namespace
 
   std::vector<Entry> table()
   {
-    std::ifstream      file(MYOLINES_SOURCE_DIR "/tests/data/table41_linear_rod.csv");
     std::vector<Entry> entries;
-    std::string        line;
-    std::getline(file, line);
-    while (std::getline(file, line))
-      {
-        std::istringstream       cells(line);
-        std::vector<std::string> c;
-        for (std::string cell; std::getline(cells, cell, ',');)
-          c.push_back(cell);
-        entries.push_back({c[0], c[1], c[4], std::stod(c[3]), std::stod(c[5]), std::stod(c[6]), std::stod(c[7]), std::stod(c[8])});
-      }
+    for (const Row &c : rows("table41_linear_rod.csv"))
+      entries.push_back({c[0], c[1], c[4], std::stod(c[3]), std::stod(c[5]), std::stod(c[6]), std::stod(c[7]), std::stod(c[8])});
     return entries;
   }
 
@@ -134,21 +124,14 @@ TEST(Table41, ourErrorsOfSecondOrderScaleToTheLastDigit)
 
 TEST(LinearRod, nodalStatesAreThoseOfAnIndependentProgram)
 {
-  std::ifstream file(MYOLINES_SOURCE_DIR "/tests/data/linear_rod_states.csv");
-  std::string   line;
-  std::getline(file, line);
   unsigned int n = 0;
-  while (std::getline(file, line))
+  for (const Row &c : rows("linear_rod_states.csv"))
     {
-      std::istringstream       cells(line);
-      std::vector<std::string> c;
-      for (std::string cell; std::getline(cells, cell, ',');)
-        c.push_back(cell);
       const Solution    &s = reference(c[0], std::stod(c[2]), length / std::stoi(c[3]), std::stod(c[4]));
       const unsigned int i = std::stoi(c[5]);
       EXPECT_NEAR(s.rod->system.position(i), std::stod(c[6]), 1e-15);
-      EXPECT_NEAR(s.u()(i), std::stod(c[7]), 2e-14) << line;
-      EXPECT_NEAR(s.rod->state.v(i), std::stod(c[8]), 2e-12) << line;
+      EXPECT_NEAR(s.u()(i), std::stod(c[7]), 2e-14) << c[0] << ", node " << i;
+      EXPECT_NEAR(s.rod->state.v(i), std::stod(c[8]), 2e-12) << c[0] << ", node " << i;
       ++n;
     }
   EXPECT_EQ(n, 102u);
