@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""What becomes of every additive split of the muscle at every step size: imex.py PROGRAM [--refinement 1] [--steps 100]
+
+The block of input/passive_stretch.xml is pulled, passive or activated at once to one half (with and without the force-velocity relation), and
+takes some steps by "imex euler", refused splits by force. An entry is the difference of the force at the moving end from that of backward Euler
+with the same steps, or the step that failed, or, for steps that are taken but go astray, a word.
+"""
+
+import argparse
+import csv
+import os
+import re
+import subprocess
+import tempfile
+
+SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "input", "passive_stretch.xml")
+TANGENT = "tangent at the start of the step"
+ACTIVE = ["system/activation/type=constant", "system/activation/value=0.5"]
+STATES = {"passive": [], "active, no force-velocity": ACTIVE + ["system/tissues/muscle/fibre/force-velocity=false"], "active": ACTIVE}
+SPLITS = [TANGENT, "linear", "volumetric", "passive", "all but active"]
+ASTRAY = 0.5
+
+
+def run(program, settings, out):
+    """Exit code, what it printed, and the force at the moving end [N], none where nothing was written."""
+    command = [program, "run", SCENE, "--quiet", "--out", out]
+    for setting in settings:
+        command += ["--set", setting]
+    ended = subprocess.run(command, capture_output=True, text=True)
+    try:
+        with open(os.path.join(out, "reaction.csv")) as file:
+            force = float(list(csv.reader(file))[-1][1])
+    except (OSError, IndexError, ValueError):
+        force = None
+    return ended.returncode, ended.stderr, force
+
+
+def outcome(program, state, split, dt, steps, refinement, folder):
+    common = STATES[state] + [f"system/geometry/refinement={refinement}", "system/discretisation/quadrature points=3",
+                              f"time/step={dt}", f"time/end={steps * dt!r}", "time/control/type=fixed"]
+    code, text, expected = run(program, common + ["integrator/type=backward euler"], os.path.join(folder, "backward"))
+    if code != 0:
+        return "backward Euler fails"
+    code, text, force = run(program, common + ["integrator/type=imex euler", f"integrator/split={split}", "integrator/force=true"],
+                            os.path.join(folder, "imex"))
+    if code == 3:
+        reached = float(re.search(r"The step from t = (\S+) s", text).group(1))
+        return f"fails at {round(reached / dt) + 1}"
+    if code != 0:
+        raise RuntimeError(text)
+    difference = abs(force - expected) / abs(expected)
+    return "astray" if not difference < ASTRAY else f"{difference:.0e}"
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("program")
+    arguments.add_argument("--refinement", type=int, default=1)
+    arguments.add_argument("--steps", type=int, default=100)
+    arguments.add_argument("--sizes", nargs="+", default=["1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9"])
+    given = arguments.parse_args()
+    print("| state | split | " + " | ".join(given.sizes) + " |")
+    print("|---|---|" + "---|" * len(given.sizes))
+    for state in STATES:
+        for split in SPLITS:
+            if state == "passive" and split == "all but active":
+                continue
+            with tempfile.TemporaryDirectory() as folder:
+                entries = [outcome(given.program, state, split, float(dt), given.steps, given.refinement, folder) for dt in given.sizes]
+            print(f"| {state} | `{split}` | " + " | ".join(entries) + " |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
