@@ -11,9 +11,9 @@ namespace myolines
 {
   namespace
   {
-    /// Bound of the eigenvalues of M^-1 C / mu [1/m^2] at rest, for rates n : grad v, n = a0 (x) a0 - I/3, along straight fibres a0.
-    /// A wave of v with wave vector k has |n k|^2 = (a0.k)^2/3 + |k|^2/9, and k_i^2 is at most the eigenvalue of a single free
-    /// element of size h_i (Fried, doi:10.1016/0022-460X(72)90484-1).
+    /// Estimates the largest eigenvalue of M^-1 C [1/m^2] at rest for viscosity and density one, stress n (n : grad v), n = a0 (x) a0 -
+    /// I/3. A wave of v with wave vector k has |n k|^2 = (a0.k)^2/3 + |k|^2/9, and k_i^2 is at most the eigenvalue of a single free
+    /// element.
     double largest_rate_eigenvalue(const Muscle3dParameters &p)
     {
       const double of_element[] = {12, 60, 170.125}; // times 1/h^2, degree 1 to 3, consistent mass
@@ -27,26 +27,19 @@ namespace myolines
       return of_element[p.degree - 1] * (along * along / 3 + sum / 9);
     }
 
-    /// Why splits that leave the active stress explicit do not converge; empty without activation.
-    std::string active_stress_is_explicit(const Muscle3dParameters &p)
+    /// Why splits that leave the active stress explicit do not converge where it depends on the rate; else empty.
+    std::string why_refused(const Muscle3dParameters &p)
     {
-      if (!p.activation)
+      if (!p.activation || !p.tissue.fibre.force_velocity)
         return "";
-      const FibreParameters &fibre      = p.tissue.fibre;
-      const double           eigenvalue = largest_rate_eigenvalue(p) / p.tissue.density;
-      const double           stress     = fibre.sigma0 * curves::active(1.).value;
-      std::ostringstream     text;
+      const FibreParameters &fibre = p.tissue.fibre;
+      const double       viscosity = fibre.sigma0 * curves::active(1.).value * curves::force_velocity(0.).slope / fibre.maximum_strain_rate;
+      std::ostringstream text;
       text.precision(2);
-      if (!fibre.force_velocity)
-        text << "it leaves the active stress explicit, whose stiffness in the order of sigma0 = " << stress
-             << " Pa limits the step to about " << 2 / std::sqrt(stress * eigenvalue) << " s on this mesh";
-      else
-        {
-          const double viscosity = stress * curves::force_velocity(0.).slope / fibre.maximum_strain_rate;
-          text << "it leaves the force-velocity relation explicit, a viscosity of " << viscosity
-               << " Pa s at full activation and rest, which limits the step to about " << 2 / (viscosity * eigenvalue)
-               << " s on this mesh (four times less once it is refined, and 0.6 times where the curve is steepest)";
-        }
+      text << "it leaves the force-velocity relation explicit, a viscosity of " << viscosity
+           << " Pa s at full activation and rest, which limits the step to about "
+           << 2 * p.tissue.density / (viscosity * largest_rate_eigenvalue(p))
+           << " s on this mesh, and to a quarter of that on the next finer one";
       return text.str();
     }
   } // namespace
@@ -77,11 +70,11 @@ namespace myolines
   {
     if (!parameters_.dynamic)
       return {};
-    const std::string why = active_stress_is_explicit(parameters_);
-    return {{"linear", "the inertia and the passive stiffness at rest, frozen", why},
-            {"volumetric", "the inertia and the volumetric stress", why},
-            {"passive", "the inertia and all passive stresses", why},
-            {"all but active", "everything but the active stress", why}};
+    const std::string refused = why_refused(parameters_);
+    return {{"linear", "the inertia and the passive stiffness at rest, frozen", refused},
+            {"volumetric", "the inertia and the volumetric stress", refused},
+            {"passive", "the inertia and all passive stresses", refused},
+            {"all but active", "everything but the active stress", refused}};
   }
 
   std::unique_ptr<SemiDiscreteSystem> Muscle3dSystem::implicit_part(const std::string &split) const

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""What becomes of every additive split of the muscle at every step size: imex.py PROGRAM [--refinement 1] [--steps 100]
+"""What becomes of every additive split of the muscle at every step size: imex.py PROGRAM [--refinement 1] [--steps 100 | --end 1e-6]
 
 The block of input/passive_stretch.xml is pulled, passive or activated at once to one half (with and without the force-velocity relation), and
-takes some steps by "imex euler", refused splits by force. An entry is the difference of the force at the moving end from that of backward Euler
-with the same steps, or the step that failed, or, for steps that are taken but go astray, a word.
+runs by "imex euler", refused splits by force. It takes a number of steps, and an entry is the difference of the force at the moving end from that
+of backward Euler with the same steps, relative; or it runs until an end, and the difference is that from sdirk3 with the smallest steps. Runs
+that fail: at which step; that go astray: so.
 """
 
 import argparse
@@ -35,13 +36,8 @@ def run(program, settings, out):
     return ended.returncode, ended.stderr, force
 
 
-def outcome(program, state, split, dt, steps, refinement, folder):
-    common = STATES[state] + [f"system/geometry/refinement={refinement}", "system/discretisation/quadrature points=3",
-                              f"time/step={dt}", f"time/end={steps * dt!r}", "time/control/type=fixed"]
-    code, text, expected = run(program, common + ["integrator/type=backward euler"], os.path.join(folder, "backward"))
-    if code != 0:
-        return "backward Euler fails"
-    code, text, force = run(program, common + ["integrator/type=imex euler", f"integrator/split={split}", "integrator/force=true"],
+def outcome(program, common, split, dt, end, expected, folder):
+    code, text, force = run(program, common + steps(dt, end) + ["integrator/type=imex euler", f"integrator/split={split}", "integrator/force=true"],
                             os.path.join(folder, "imex"))
     if code == 3:
         reached = float(re.search(r"The step from t = (\S+) s", text).group(1))
@@ -52,22 +48,42 @@ def outcome(program, state, split, dt, steps, refinement, folder):
     return "astray" if not difference < ASTRAY else f"{difference:.0e}"
 
 
+def steps(dt, end):
+    return [f"time/step={dt}", f"time/end={end!r}", "time/control/type=fixed"]
+
+
+def expected_force(program, common, method, dt, end, folder):
+    code, text, force = run(program, common + steps(dt, end) + [f"integrator/type={method}"], os.path.join(folder, "expected"))
+    if code != 0:
+        raise RuntimeError(text)
+    return force
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("program")
     arguments.add_argument("--refinement", type=int, default=1)
     arguments.add_argument("--steps", type=int, default=100)
+    arguments.add_argument("--end", type=float)
     arguments.add_argument("--sizes", nargs="+", default=["1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9"])
+    arguments.add_argument("--states", nargs="+", choices=STATES, default=list(STATES))
     given = arguments.parse_args()
+    sizes = [float(size) for size in given.sizes]
     print("| state | split | " + " | ".join(given.sizes) + " |")
-    print("|---|---|" + "---|" * len(given.sizes))
-    for state in STATES:
-        for split in SPLITS:
-            if state == "passive" and split == "all but active":
-                continue
-            with tempfile.TemporaryDirectory() as folder:
-                entries = [outcome(given.program, state, split, float(dt), given.steps, given.refinement, folder) for dt in given.sizes]
-            print(f"| {state} | `{split}` | " + " | ".join(entries) + " |", flush=True)
+    print("|---|---|" + "---|" * len(sizes))
+    with tempfile.TemporaryDirectory() as folder:
+        for state in given.states:
+            common = STATES[state] + [f"system/geometry/refinement={given.refinement}", "system/discretisation/quadrature points=3"]
+            ends = [given.end or given.steps * dt for dt in sizes]
+            if given.end:
+                expected = [expected_force(given.program, common, "sdirk3", min(sizes), given.end, folder)] * len(sizes)
+            else:
+                expected = [expected_force(given.program, common, "backward euler", dt, end, folder) for dt, end in zip(sizes, ends)]
+            for split in SPLITS:
+                if state == "passive" and split == "all but active":
+                    continue
+                entries = [outcome(given.program, common, split, dt, end, force, folder) for dt, end, force in zip(sizes, ends, expected)]
+                print(f"| {state} | `{split}` | " + " | ".join(entries) + " |", flush=True)
 
 
 if __name__ == "__main__":
