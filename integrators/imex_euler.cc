@@ -263,8 +263,8 @@ namespace myolines
       for (const Split &split : context.system.capabilities().splits)
         {
           if (split.name == name && !split.refused.empty() && !node.boolean("force"))
-            node.refuse("split", "the split \"" + name + "\" is known not to converge for this system: " + split.refused,
-                        std::string("\"") + tangent_split + "\"", "with \"force\" = \"true\" it is run all the same");
+            node.refuse("split", "the split \"" + name + "\" is refused: " + split.refused, std::string("\"") + tangent_split + "\"",
+                        "with \"force\" = \"true\" it is run all the same");
           if (split.name == name)
             return std::make_unique<AdditiveEuler>(name, context.system.implicit_part(name), context);
           names.push_back(split.name);
@@ -283,7 +283,8 @@ namespace myolines
                 "What is implicit: the tangent at the start of the step (of any system; one linear solve), linear (rod: thesis (4.7.9); "
                 "oscillator: all but the cubic spring; muscle: passive stiffness at rest), or of the muscle volumetric, passive, all but "
                 "active.")
-          .boolean("force", false, "Whether to run a split that is known not to converge.");
+          .boolean("force", false,
+                   "Whether to run a split that the system refuses: one whose explicit part allows no step of practical use.");
       return schema;
     }
   } // namespace

@@ -27,7 +27,7 @@ namespace myolines
       return of_element[p.degree - 1] * (along * along / 3 + sum / 9);
     }
 
-    /// Why splits that leave the active stress explicit do not converge where it depends on the rate; else empty.
+    /// Why splits that leave the active stress explicit are refused where it depends on the strain rate; else empty.
     std::string why_refused(const Muscle3dParameters &p)
     {
       if (!p.activation || !p.tissue.fibre.force_velocity)
@@ -39,7 +39,7 @@ namespace myolines
       text << "it leaves the force-velocity relation explicit, a viscosity of " << viscosity
            << " Pa s at full activation and rest, which limits the step to about "
            << 2 * p.tissue.density / (viscosity * largest_rate_eigenvalue(p))
-           << " s on this mesh, and to a quarter of that on the next finer one";
+           << " s on this mesh and a quarter of that on the next finer one; beyond, velocities jump to and fro";
       return text.str();
     }
   } // namespace
