@@ -282,7 +282,7 @@ namespace myolines
           .text("split", tangent_split,
                 "What is implicit: the tangent at the start of the step (of any system; one linear solve), linear (rod: thesis (4.7.9); "
                 "oscillator: all but the cubic spring; muscle: passive stiffness at rest), or of the muscle volumetric, passive, all but "
-                "active.")
+                "active (by Newton's method).")
           .boolean("force", false,
                    "Whether to run a split that the system refuses: one whose explicit part allows no step of practical use.");
       return schema;
