@@ -1,5 +1,6 @@
 #include <myolines/system/linearised_system.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,7 +35,8 @@ namespace myolines
         apply({0, 0, 1}, point.a, product_);
         r += product_;
       }
-    if (std::isfinite(r.l2_norm()))
+    const bool finite = std::all_of(r.begin(), r.begin() + r.locally_owned_size(), [](const double x) { return std::isfinite(x); });
+    if (dealii::Utilities::MPI::min(finite ? 1 : 0, r.get_mpi_communicator()) == 1)
       return {};
     r = std::numeric_limits<double>::quiet_NaN();
     return {false, "the linear forces are not finite numbers"};
