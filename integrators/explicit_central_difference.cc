@@ -1,6 +1,8 @@
 #include <myolines/time/combination.h>
+#include <myolines/time/stable_step.h>
 #include <myolines/time/start.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -26,7 +28,7 @@ namespace myolines
     ///
     /// The rates of F come from a predicted velocity, which keeps the second order and costs stability: for
     /// a + 2 xi omega v + omega^2 u = 0 an eigenvalue is -1 at (omega dt)^2 + 8 xi omega dt = 4. The stable step of a system
-    /// is estimated from the largest eigenvalues of M^-1 K and M^-1 C by power iteration.
+    /// is estimated from the largest eigenvalues of M^-1 K and M^-1 C.
     class ExplicitCentralDifference : public Integrator
     {
     public:
@@ -34,7 +36,6 @@ namespace myolines
         : safety_(safety)
         , interval_(interval)
         , context_(context)
-        , has_rates_(context.system.capabilities().rates)
         , solver_(context)
       {}
 
@@ -112,56 +113,19 @@ namespace myolines
 
       void estimate(const State &state, StepReport &report)
       {
-        context_.ledger.count("stable step estimates");
-        solver_.linearise({state.t, Side::right, state.u, state.v, state.a});
-        const double stiffness = largest_eigenvalue({1, 0, 0}, state, report);
-        const double rates     = has_rates_ ? largest_eigenvalue({0, 1, 0}, state, report) : 0;
+        constexpr double   margin      = 1.01; // of the estimates
+        LargestEigenvalues eigenvalues = largest_eigenvalues({state.t, Side::right, state.u, state.v, state.a}, context_, solver_, report);
+        const double       stiffness   = margin * std::max(0., eigenvalues.stiffness);
+        const double       rates       = margin * std::max(0., eigenvalues.rates);
         // dt^2 stiffness + 4 dt rates = 4
         const double limit    = rates + std::sqrt(rates * rates + stiffness);
         stable_step_          = limit > 0 ? safety_ * 2 / limit : std::numeric_limits<double>::infinity();
         steps_since_estimate_ = 0;
       }
 
-      /// Of M^-1 J with the weights @p w, by power iteration from a rough vector, to one percent.
-      double largest_eigenvalue(const Weights &w, const State &state, StepReport &report)
-      {
-        Vector x(state.u), y(state.u);
-        rough(x);
-        double eigenvalue = 0;
-        for (unsigned int i = 0; i < 200; ++i)
-          {
-            solver_.apply(w, x, y);
-            y *= -1;
-            Vector z(y);
-            z = 0;
-            record(solver_.solve_linear({0, 0, 1}, y, z), report);
-            if (!report.accepted())
-              return 0;
-            const double now = z.l2_norm() / x.l2_norm();
-            if (now == 0)
-              return 0;
-            z /= z.l2_norm();
-            x.swap(z);
-            if (std::abs(now - eigenvalue) < 1e-3 * now && i > 5)
-              return 1.01 * now;
-            eigenvalue = now;
-          }
-        return 1.05 * eigenvalue;
-      }
-
-      /// Entries of all signs, the same in every run and on any number of ranks; zero where constrained.
-      void rough(Vector &x) const
-      {
-        x.zero_out_ghost_values();
-        for (const auto index : x.locally_owned_elements())
-          x(index) = context_.system.constraints().is_constrained(index) ? 0 : std::sin(1. + 12.9898 * index);
-        x.update_ghost_values();
-      }
-
       const double            safety_;
       const double            interval_;
       const IntegratorContext context_;
-      const bool              has_rates_;
       StageSolver             solver_;
       double                  stable_step_          = 0; ///< [s]
       double                  steps_since_estimate_ = 0;

@@ -9,9 +9,13 @@
 namespace myolines
 {
   Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, const MPI_Comm communicator, WorkLedger &ledger)
+    : Muscle3dSystem(parameters, std::make_shared<Muscle3dDiscretisation>(parameters, communicator), ledger)
+  {}
+
+  Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, std::shared_ptr<Muscle3dDiscretisation> discretisation, WorkLedger &ledger)
     : parameters_(std::move(parameters))
     , ledger_(ledger)
-    , discretisation_(std::make_unique<Muscle3dDiscretisation>(parameters_, communicator))
+    , discretisation_(std::move(discretisation))
     , loads_(std::make_unique<Loads>(parameters_, *discretisation_))
   {}
 
@@ -32,6 +36,7 @@ namespace myolines
     c.rates             = parameters_.dynamic && parameters_.activation && parameters_.tissue.fibre.force_velocity;
     c.symmetric_tangent = !c.rates || !parameters_.exact_tangent;
     c.energy            = true;
+    c.splits            = splits();
     return c;
   }
 

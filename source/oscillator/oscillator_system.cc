@@ -142,7 +142,17 @@ namespace myolines
     capabilities.rates             = parameters_.damping != 0;
     capabilities.linear            = parameters_.cubic_stiffness == 0;
     capabilities.symmetric_tangent = true;
+    capabilities.splits            = {{"linear", capabilities.linear ? "everything" : "everything but the cubic spring", ""}};
     return capabilities;
+  }
+
+  std::unique_ptr<SemiDiscreteSystem> OscillatorSystem::implicit_part(const std::string &split) const
+  {
+    if (split != "linear")
+      return nullptr;
+    OscillatorParameters part = parameters_;
+    part.cubic_stiffness      = 0;
+    return std::make_unique<OscillatorSystem>(part, ledger_);
   }
 
   std::size_t OscillatorSystem::n_unknowns() const { return layout_.size(); }

@@ -56,7 +56,22 @@ namespace myolines
     capabilities.rates             = false;
     capabilities.linear            = parameters_.material.linear;
     capabilities.symmetric_tangent = true;
+    capabilities.splits            = {
+                   {"linear", parameters_.material.linear ? "everything" : "the inertia and the part mu (l - 1) of the stress, thesis (4.7.7)", ""}};
     return capabilities;
+  }
+
+  std::unique_ptr<SemiDiscreteSystem> Rod1dSystem::implicit_part(const std::string &split) const
+  {
+    if (split != "linear")
+      return nullptr;
+    Rod1dParameters part = parameters_;
+    if (!part.material.linear)
+      {
+        part.material       = {};
+        part.material.young = parameters_.material.mu;
+      }
+    return std::make_unique<Rod1dSystem>(part, ledger_);
   }
 
   State Rod1dSystem::initial_state(const double t0) const

@@ -28,16 +28,17 @@ namespace myolines
     Muscle3dSystem(Muscle3dParameters parameters, MPI_Comm communicator, WorkLedger &ledger);
     ~Muscle3dSystem() override;
 
-    Capabilities                   capabilities() const override;
-    std::size_t                    n_unknowns() const override;
-    State                          initial_state(double t0) const override;
-    const Constraints             &constraints() const override;
-    void                           prescribed(double t, Side side, State &state) const override;
-    Evaluation                     residual(const Point &point, Vector &r) const override;
-    std::unique_ptr<Linearisation> make_linearisation() const override;
-    void                           linearise(const Point &point, Linearisation &linearisation) const override;
-    std::vector<double>            events(double t0, double t1) const override;
-    std::vector<unsigned int>      canonical_order() const override;
+    Capabilities                        capabilities() const override;
+    std::size_t                         n_unknowns() const override;
+    State                               initial_state(double t0) const override;
+    const Constraints                  &constraints() const override;
+    void                                prescribed(double t, Side side, State &state) const override;
+    Evaluation                          residual(const Point &point, Vector &r) const override;
+    std::unique_ptr<Linearisation>      make_linearisation() const override;
+    void                                linearise(const Point &point, Linearisation &linearisation) const override;
+    std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;
+    std::vector<double>                 events(double t0, double t1) const override;
+    std::vector<unsigned int>           canonical_order() const override;
 
     const Muscle3dParameters     &parameters() const { return parameters_; }
     const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }
@@ -46,16 +47,23 @@ namespace myolines
     /// Activation at time t, 0 without one.
     double activation(double t, Side side = Side::left) const;
 
-    /// Moves every vertex of the reference mesh by @p map; states made before are void.
+    /// Moves every vertex of the reference mesh by @p map; states and implicit parts made before are void.
     void move_mesh(const std::function<dealii::Point<3>(const dealii::Point<3> &)> &map);
 
     /// Lines for `check`: terms that will be computed and terms that are skipped, each with why.
     std::vector<std::string> plan() const;
 
   private:
+    class Part;
+
+    Muscle3dSystem(Muscle3dParameters parameters, std::shared_ptr<Muscle3dDiscretisation> discretisation, WorkLedger &ledger);
+
+    /// See source/muscle3d/splits.cc.
+    std::vector<Split> splits() const;
+
     Muscle3dParameters                      parameters_;
     WorkLedger                             &ledger_;
-    std::unique_ptr<Muscle3dDiscretisation> discretisation_;
+    std::shared_ptr<Muscle3dDiscretisation> discretisation_; ///< that of its implicit parts too
     std::unique_ptr<Loads>                  loads_;
   };
 

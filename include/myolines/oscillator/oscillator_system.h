@@ -26,20 +26,22 @@ namespace myolines
 
   /// One mass on a spring; the smallest system behind the waist. Unknown 0 is the mass; with a moving support unknown 1
   /// is the support, prescribed as u_1 = s(t), and its row of the residual is the force the support exerts.
+  /// Split `linear`: everything but the cubic spring is implicit.
   class OscillatorSystem : public SemiDiscreteSystem
   {
   public:
     OscillatorSystem(OscillatorParameters parameters, WorkLedger &ledger);
 
-    Capabilities                   capabilities() const override;
-    std::size_t                    n_unknowns() const override;
-    State                          initial_state(double t0) const override;
-    const Constraints             &constraints() const override;
-    void                           prescribed(double t, Side side, State &state) const override;
-    Evaluation                     residual(const Point &point, Vector &r) const override;
-    std::unique_ptr<Linearisation> make_linearisation() const override;
-    void                           linearise(const Point &point, Linearisation &linearisation) const override;
-    std::vector<double>            events(double t0, double t1) const override;
+    Capabilities                        capabilities() const override;
+    std::size_t                         n_unknowns() const override;
+    State                               initial_state(double t0) const override;
+    const Constraints                  &constraints() const override;
+    void                                prescribed(double t, Side side, State &state) const override;
+    Evaluation                          residual(const Point &point, Vector &r) const override;
+    std::unique_ptr<Linearisation>      make_linearisation() const override;
+    void                                linearise(const Point &point, Linearisation &linearisation) const override;
+    std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;
+    std::vector<double>                 events(double t0, double t1) const override;
 
     const OscillatorParameters &parameters() const { return parameters_; }
 

@@ -30,21 +30,24 @@ namespace myolines
   /// nodes, numbered along the rod; consistent mass, degree + 1 Gauss points. The rows of the residual at the ends are the forces that the
   /// supports exert [N]. Inadmissible: a stretch 1 + u_x <= 0 at a Gauss point of a material that has no stress there. One rank computes
   /// it.
+  ///
+  /// Split `linear`, thesis (4.7.7): the part mu (l - 1) of the Neo-Hookean stress is implicit; of a linear rod everything.
   class Rod1dSystem : public SemiDiscreteSystem
   {
   public:
     Rod1dSystem(Rod1dParameters parameters, WorkLedger &ledger);
     ~Rod1dSystem() override;
 
-    Capabilities                   capabilities() const override;
-    std::size_t                    n_unknowns() const override { return layout_.size(); }
-    State                          initial_state(double t0) const override;
-    const Constraints             &constraints() const override { return constraints_; }
-    void                           prescribed(double t, Side side, State &state) const override;
-    Evaluation                     residual(const Point &point, Vector &r) const override;
-    std::unique_ptr<Linearisation> make_linearisation() const override;
-    void                           linearise(const Point &point, Linearisation &linearisation) const override;
-    std::vector<double>            events(double t0, double t1) const override;
+    Capabilities                        capabilities() const override;
+    std::size_t                         n_unknowns() const override { return layout_.size(); }
+    State                               initial_state(double t0) const override;
+    const Constraints                  &constraints() const override { return constraints_; }
+    void                                prescribed(double t, Side side, State &state) const override;
+    Evaluation                          residual(const Point &point, Vector &r) const override;
+    std::unique_ptr<Linearisation>      make_linearisation() const override;
+    void                                linearise(const Point &point, Linearisation &linearisation) const override;
+    std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;
+    std::vector<double>                 events(double t0, double t1) const override;
 
     const Rod1dParameters &parameters() const { return parameters_; }
 

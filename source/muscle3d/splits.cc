@@ -1,0 +1,104 @@
+#include <myolines/materials/curves.h>
+#include <myolines/muscle3d/loads.h>
+#include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/system/linearised_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    /// Estimates the largest eigenvalue of M^-1 C [1/m^2] at rest for viscosity and density one, stress n (n : grad v), n = a0 (x) a0 -
+    /// I/3. A wave of v with wave vector k has |n k|^2 = (a0.k)^2/3 + |k|^2/9, and k_i^2 is at most the eigenvalue of a single free
+    /// element.
+    double largest_rate_eigenvalue(const Muscle3dParameters &p)
+    {
+      const double of_element[] = {12, 60, 170.125}; // times 1/h^2, degree 1 to 3, consistent mass
+      double       along = 0, sum = 0;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const double h = p.geometry.size[i] / (p.geometry.cells[i] * std::exp2(p.geometry.refinement));
+          along += std::abs(p.fibre_direction[i]) / h;
+          sum += 1 / (h * h);
+        }
+      return of_element[p.degree - 1] * (along * along / 3 + sum / 9);
+    }
+
+    /// Why splits that leave the active stress explicit are refused where it depends on the strain rate; else empty.
+    std::string why_refused(const Muscle3dParameters &p)
+    {
+      if (!p.activation || !p.tissue.fibre.force_velocity)
+        return "";
+      const FibreParameters &fibre = p.tissue.fibre;
+      const double       viscosity = fibre.sigma0 * curves::active(1.).value * curves::force_velocity(0.).slope / fibre.maximum_strain_rate;
+      std::ostringstream text;
+      text.precision(2);
+      text << "it leaves the force-velocity relation explicit, a viscosity of " << viscosity
+           << " Pa s at full activation and rest, which limits the step to about "
+           << 2 * p.tissue.density / (viscosity * largest_rate_eigenvalue(p))
+           << " s on this mesh and a quarter of that on the next finer one; beyond, velocities jump to and fro";
+      return text.str();
+    }
+  } // namespace
+
+  /// Other parameters on the same discretisation, with the kinks of the whole.
+  class Muscle3dSystem::Part : public Muscle3dSystem
+  {
+  public:
+    Part(const Muscle3dSystem &whole, Muscle3dParameters parameters)
+      : Muscle3dSystem(std::move(parameters), whole.discretisation_, whole.ledger_)
+      , whole_(whole)
+    {}
+
+    Capabilities capabilities() const override
+    {
+      Capabilities c = Muscle3dSystem::capabilities();
+      c.splits.clear();
+      return c;
+    }
+
+    std::vector<double> events(const double t0, const double t1) const override { return whole_.events(t0, t1); }
+
+  private:
+    const Muscle3dSystem &whole_;
+  };
+
+  std::vector<Split> Muscle3dSystem::splits() const
+  {
+    if (!parameters_.dynamic)
+      return {};
+    const std::string refused = why_refused(parameters_);
+    return {{"linear", "the inertia and the passive stiffness at rest, frozen", refused},
+            {"volumetric", "the inertia and the volumetric stress", refused},
+            {"passive", "the inertia and all passive stresses", refused},
+            {"all but active", "everything but the active stress", refused}};
+  }
+
+  std::unique_ptr<SemiDiscreteSystem> Muscle3dSystem::implicit_part(const std::string &split) const
+  {
+    const std::vector<Split> known = splits();
+    if (std::none_of(known.begin(), known.end(), [&](const Split &s) { return s.name == split; }))
+      return nullptr;
+    Muscle3dParameters part = parameters_;
+    part.activation         = nullptr;
+    if (split != "all but active")
+      {
+        part.body_force.reset();
+        part.boundary.erase(std::remove_if(part.boundary.begin(), part.boundary.end(),
+                                           [](const BoundaryCondition &c) { return c.type == BoundaryCondition::Type::traction; }),
+                            part.boundary.end());
+      }
+    if (split == "volumetric")
+      {
+        part.tissue.base.scale   = 0;
+        part.tissue.fibre.sigma0 = 0;
+      }
+    auto system = std::make_unique<Part>(*this, std::move(part));
+    if (split == "linear")
+      return std::make_unique<LinearisedSystem>(std::move(system));
+    return system;
+  }
+} // namespace myolines
