@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace myolines
 {
@@ -24,6 +25,18 @@ namespace myolines
       facts.second_order_only = true;
       facts.restart           = MethodFacts::Restart::reinitialise;
       return facts;
+    }
+
+    /// What to say of an explicit method that needs @p steps of them (0: it was given a longer one).
+    std::string unstable(const double stable_step, const double steps)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "the stable step of this explicit method is about " << stable_step << " s";
+      if (steps > 0)
+        text << ", " << steps << " of them up to the next event or the end";
+      text << " (\"integrator/force\" = true tries it all the same; implicit methods do without)";
+      return text.str();
     }
 
     /// Steps chosen by error.
@@ -57,6 +70,12 @@ namespace myolines
         ARKStepSetNonlinConvCoef(memory_, tolerances().solver_fraction);
         ARKStepSetErrorBias(memory_, 1);
         require_success(ARKStepSetAdaptivityFn(memory_, next_step_by_error, this), "ARKStepSetAdaptivityFn");
+      }
+
+      std::string refusal(const double t, const double t_stop) const override
+      {
+        const double steps = (t_stop - t) / system_->stable_step();
+        return steps > node_.integer("most explicit steps") && !node_.boolean("force") ? unstable(system_->stable_step(), steps) : "";
       }
 
       int evolve(const double t_stop, double &t) override
@@ -136,6 +155,13 @@ namespace myolines
           create(state.t, false);
         else if (!going_on(state))
           require_success(ARKStepReset(memory_, state.t, y_.get()), "ARKStepReset");
+        if (dt > system_->stable_step() && !node_.boolean("force"))
+          {
+            StepReport refused;
+            refused.outcome = StepReport::Outcome::not_converged;
+            refused.reason  = unstable(system_->stable_step(), 0);
+            return refused;
+          }
         ARKStepSetFixedStep(memory_, dt);
         const double t_end = state.t + dt;
         ARKStepSetStopTime(memory_, t_end);

@@ -1,9 +1,11 @@
 #include <myolines/integrators/sundials_arkode_system.h>
+#include <myolines/time/stable_step.h>
 
 #include <arkode/arkode_arkstep.h>
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 namespace myolines
 {
@@ -11,6 +13,7 @@ namespace myolines
                              const IntegratorContext &context, FirstOrderForm &whole, const SundialsContext &sundials, const State &layout)
     : tables_(tables)
     , tolerances_(tolerances)
+    , context_(context)
     , whole_(whole)
     , sundials_(sundials)
     , implicit_system_(tables.additive() ? context.system.implicit_part(integrator.text("split")) : nullptr)
@@ -25,6 +28,7 @@ namespace myolines
           [this](const double *x, double *y) { return multiply_mass(x, y); })
     , force_(whole.n_free())
     , other_(whole.n_free())
+    , stable_step_(std::numeric_limits<double>::infinity())
   {}
 
   ArkodeSystem::~ArkodeSystem() { ARKStepFree(&memory_); }
@@ -36,7 +40,19 @@ namespace myolines
       implicit_.begin_piece(t);
     ARKStepFree(&memory_);
     create(t, y);
+    if (!tables_.implicit)
+      estimate_stable_step(t, y);
     return memory_;
+  }
+
+  void ArkodeSystem::estimate_stable_step(const double t, N_Vector y)
+  {
+    whole_.linearise(t, entries(y), nullptr);
+    const State             &at = whole_.state(t, entries(y), nullptr);
+    StepReport               report;
+    const LargestEigenvalues largest = largest_eigenvalues({t, Side::right, at.u, at.v, at.a}, context_, whole_.stage_solver(), report);
+    context_.solver.forget();
+    stable_step_ = report.accepted() ? tables_.stable_step(largest.stiffness, largest.rates) : std::numeric_limits<double>::infinity();
   }
 
   void ArkodeSystem::create(const double t, N_Vector y)

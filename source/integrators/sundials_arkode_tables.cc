@@ -5,6 +5,9 @@
 #include <arkode/arkode_butcher_erk.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
 #include <memory>
 
 namespace myolines
@@ -32,6 +35,34 @@ namespace myolines
   int ArkodeTables::order() const { return load(*this)->q; }
   int ArkodeTables::embedded_order() const { return load(*this)->p; }
   int ArkodeTables::stages() const { return load(*this)->stages; }
+
+  double ArkodeTables::stable_step(const double stiffness, const double rates) const
+  {
+    using Complex         = std::complex<double>;
+    const Table table     = load(*this);
+    const auto  amplifies = [&](const Complex z) {
+      std::vector<Complex> stages;
+      Complex              end = 1;
+      for (int i = 0; i < table->stages; ++i)
+        {
+          Complex stage = 1;
+          for (int j = 0; j < i; ++j)
+            stage += z * table->A[i][j] * stages[j];
+          stages.push_back(stage);
+          end += z * table->b[i] * stage;
+        }
+      return std::abs(end) > 1.05;
+    };
+    const Complex root    = std::sqrt(Complex(rates * rates - 4 * stiffness));
+    const Complex fastest = (-rates - root) / 2., other = (-rates + root) / 2.;
+    if (fastest == 0.)
+      return std::numeric_limits<double>::infinity();
+    constexpr double first = 1e-2, last = 1e2, ratio = 1.01; // of the fastest mode
+    double           part = first;
+    while (part < last && !amplifies(part / std::abs(fastest) * fastest) && !amplifies(part / std::abs(fastest) * other))
+      part *= ratio;
+    return part / ratio / std::abs(fastest);
+  }
 
   const std::vector<std::string> &arkode_implicit_tables()
   {
@@ -88,7 +119,10 @@ namespace myolines
         .choice("explicit table", none, with_none(arkode_explicit_tables()),
                 "Explicit Runge-Kutta method; with an implicit one of the same name: the additive method, which needs \"split\".")
         .optional_text("split", "What an additive method treats implicitly; `check` names the splits of a system.")
-        .boolean("force", false, "Runs a split that is known not to converge, too.");
+        .boolean("force", false, "Runs a split that is known not to converge, and explicit steps that are not stable, too.")
+        .integer("most explicit steps", 1000000, scene::Range::closed(1, 2000000000),
+                 "Where steps are chosen by error an explicit method is refused if the stable step, as estimated, makes more of them up to "
+                 "the next event or the end.");
   }
 
   ArkodeTables arkode_tables(const scene::Node &integrator)

@@ -35,7 +35,8 @@ namespace myolines
     std::copy(entries(y_) + n, entries(y_) + 2 * n, entries(dy_));
     counted_ = {};
     begin(state.t, first_step);
-    begun_ = true;
+    begun_     = true;
+    looked_at_ = false;
   }
 
   void SundialsIntegrator::start(State &state)
@@ -54,6 +55,16 @@ namespace myolines
     if (!begun_)
       begin_at(state, step_after_load_.value_or(0));
     message_.clear();
+    if (!looked_at_)
+      message_ = refusal(state.t, t_stop);
+    looked_at_ = true;
+    if (!message_.empty())
+      {
+        StepReport refused;
+        refused.outcome = StepReport::Outcome::not_converged;
+        refused.reason  = message_;
+        return refused;
+      }
     double            t      = state.t;
     const int         flag   = evolve(t_stop, t);
     StepReport        report = form_->take_counts();

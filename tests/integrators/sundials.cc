@@ -257,6 +257,60 @@ TEST_P(Table, hasItsOrder)
 
 INSTANTIATE_TEST_SUITE_P(arkode, Table, ::testing::ValuesIn(all_tables()), [](const auto &info) { return info.param.label; });
 
+/// The linear spring implicit, the cubic one explicit.
+TEST(Arkode, additiveMethodsHaveTheirOrder)
+{
+  for (const auto &[implicit, explicit_] : arkode_additive_pairs())
+    {
+      OscillatorParameters parameters;
+      parameters.cubic_stiffness = 2;
+      const auto error           = [&, implicit = implicit, explicit_ = explicit_](const unsigned int n) {
+        Experiment run(integrator_entry("arkode"), parameters, BoundaryRates::exact,
+                                 {"implicit table=" + implicit, "explicit table=" + explicit_, "split=linear"});
+        run.run(2, 2. / n);
+        return std::hypot(run.state.u(0) - duffing(2, 2).u, run.state.v(0) - duffing(2, 2).v);
+      };
+      const int    order = std::stoi(implicit.substr(implicit.rfind('_') + 1));
+      const double rate  = std::log2(error(40) / error(80));
+      EXPECT_GT(rate, order - 0.5) << implicit;
+      EXPECT_LT(rate, order + 1.5) << implicit;
+    }
+}
+
+/// Stability functions 1 + z + z^2/2, which is 1.05 at z = -1 - sqrt(1.1), and that with z^3/6 more: |R(iy)|^2 = 1 - y^4/12 + y^6/36.
+TEST(Arkode, knowsTheStableStepOfExplicitTables)
+{
+  ArkodeTables heun, bogacki;
+  heun.explicit_    = "HEUN_EULER_2_1_2";
+  bogacki.explicit_ = "BOGACKI_SHAMPINE_4_2_3";
+  EXPECT_NEAR(heun.stable_step(0, 100), (1 + std::sqrt(1.1)) / 100, 0.0003);
+  const double y = 100 * bogacki.stable_step(1e4, 0);
+  EXPECT_LT(1 - std::pow(y, 4) / 12 + std::pow(y, 6) / 36, 1.05 * 1.05);
+  EXPECT_GT(1 - std::pow(1.011 * y, 4) / 12 + std::pow(1.011 * y, 6) / 36, 1.05 * 1.05);
+  EXPECT_EQ(heun.stable_step(0, 0), std::numeric_limits<double>::infinity());
+}
+
+TEST(Arkode, refusesExplicitStepsThatAreNotStable)
+{
+  OscillatorParameters stiff;
+  stiff.stiffness = 1e8; // stable: 1.8e-4 s
+  const Method explicit_method{"", "arkode", {"implicit table=none", "explicit table=BOGACKI_SHAMPINE_4_2_3", "most explicit steps=1000"}};
+  SelfPaced    adaptive(explicit_method, stiff, 1, tolerance(1e-3));
+  try
+    {
+      adaptive.run();
+      ADD_FAILURE() << "needs 5500 steps";
+    }
+  catch (const SolveError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("stable step of this explicit method is about 0.00018"), std::string::npos) << error.what();
+    }
+  Experiment fixed(integrator_entry("arkode"), stiff, BoundaryRates::exact, explicit_method.parameters);
+  fixed.integrator->start(fixed.state);
+  EXPECT_FALSE(fixed.integrator->step(2e-4, fixed.state).accepted());
+  EXPECT_TRUE(fixed.integrator->step(1.6e-4, fixed.state).accepted());
+}
+
 TEST(Arkode, refusesTablesThatDoNotFit)
 {
   const IntegratorEntry &entry   = integrator_entry("arkode");

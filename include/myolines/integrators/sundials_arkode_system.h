@@ -25,8 +25,13 @@ namespace myolines
     /// Memory of ARKODE that begins at (t, y), the former one deleted; a smooth piece begins there if @p piece. It belongs to this object.
     void *begin(double t, N_Vector y, bool piece);
 
+    /// The longest stable step [s] of an explicit method in small motions about the state of begin(); infinity for others. Ledger: "stable
+    /// step estimates".
+    double stable_step() const { return stable_step_; }
+
   private:
     void create(double t, N_Vector y);
+    void estimate_stable_step(double t, N_Vector y);
     bool right_hand_side(FirstOrderForm &form, double t, const double *y, double *f);
     bool explicit_forces(double t, const double *y, double *f);
     bool solve(const double *b, double *x);
@@ -38,6 +43,7 @@ namespace myolines
 
     const ArkodeTables                  tables_;
     const ErrorTolerances               tolerances_;
+    const IntegratorContext             context_;
     FirstOrderForm                     &whole_;
     const SundialsContext              &sundials_;
     std::unique_ptr<SemiDiscreteSystem> implicit_system_; ///< of an additive method
@@ -46,5 +52,6 @@ namespace myolines
     SundialsMatrix                      newton_, mass_;
     std::vector<double>                 force_, other_;
     void                               *memory_ = nullptr;
+    double                              stable_step_;
   };
 } // namespace myolines

@@ -22,6 +22,10 @@ namespace myolines
     int order() const;
     int embedded_order() const;
     int stages() const;
+
+    /// Longest step [s] with which the explicit method amplifies no mode of a + c v + k u = 0 by more than 5 %: some methods amplify
+    /// undamped ones a little at every step. @p stiffness k [1/s^2], @p rates c [1/s]; infinity if both are 0.
+    double stable_step(double stiffness, double rates) const;
   };
 
   const std::vector<std::string> &arkode_implicit_tables();
@@ -30,7 +34,7 @@ namespace myolines
   /// Pairs that belong together, implicit and explicit table of each.
   const std::vector<std::pair<std::string, std::string>> &arkode_additive_pairs();
 
-  /// Declares the parameters `implicit table`, `explicit table` and `split`.
+  /// Declares the parameters `implicit table`, `explicit table`, `split`, `force` and `most explicit steps`.
   void declare_arkode_tables(scene::Schema &schema);
 
   /// The tables that @p integrator asks for. @throws InputError if there is none, if two do not belong together, or if @p system

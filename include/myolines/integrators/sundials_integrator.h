@@ -37,6 +37,9 @@ namespace myolines
     /// Begins anew at (t, y(), dy()); the first step [s] is @p first_step, or its own choice (0).
     virtual void begin(double t, double first_step) = 0;
 
+    /// Why the method cannot go from begin() to @p t_stop at a bearable cost; empty: it can.
+    virtual std::string refusal(double /*t*/, double /*t_stop*/) const { return ""; }
+
     /// One step to @p t <= @p t_stop: y() and dy() become those there. Negative: failed.
     virtual int evolve(double t_stop, double &t) = 0;
 
@@ -68,8 +71,8 @@ namespace myolines
     std::unique_ptr<SundialsContext> sundials_;
     SundialsVector                   y_, dy_, work_, weights_;
     Statistics                       counted_;
-    std::optional<double>            step_after_load_; ///< [s]
-    bool                             begun_ = false;
+    std::optional<double>            step_after_load_;                   ///< [s]
+    bool                             begun_ = false, looked_at_ = false; ///< refusal()
     std::string                      message_;
   };
 
