@@ -1,0 +1,55 @@
+#pragma once
+
+#include <myolines/study/cases.h>
+#include <myolines/study/database.h>
+#include <myolines/study/measures.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace myolines::study
+{
+  /// What was found for one case.
+  struct Row
+  {
+    const Case           *which = nullptr; ///< borrowed
+    Outcome               outcome;         ///< of status "open" if the case has not ended
+    std::vector<Measured> values;          ///< of the quantities, in their order; none if the case is not done
+    std::vector<Measured> rates;           ///< observed orders of the same, in a convergence study
+    std::string           stability;       ///< class, in a stability map
+  };
+
+  /// Measures all cases that are done, from their folders in @p study_folder. @p cases outlives the rows.
+  std::vector<Row> evaluate(const Study &study, const std::vector<Case> &cases, const std::map<std::string, Outcome> &outcomes,
+                            const std::filesystem::path &study_folder);
+
+  /// The class of a run: "failed" if it did not end as "done"; of its signal, beside that of the reference: "diverged" if it is not
+  /// finite or its overshoot is above the limit, "oscillating" if its relative variation is, else "stable"; "unknown" if there is
+  /// no reference to judge by.
+  std::string stability_class(const View &view, bool done, const Measured &overshoot, const Measured &variation);
+
+  /// Rates log(e_1/e_2) / log(h_1/h_2) of errors between neighbouring sizes of steps h; the coarsest has none. Cases belong
+  /// together if they differ in no other axis.
+  void add_rates(const Study &study, std::vector<Row> &rows);
+
+  /// Cost of one method at the precision wanted.
+  struct EqualError
+  {
+    std::string method;
+    Measured    work;
+    Measured    ratio; ///< over the cheapest
+  };
+  /// Work of each curve at the target, on the straight line between neighbouring points in logarithms: the cheapest such place.
+  std::vector<EqualError> equal_error(const Study &study, const std::vector<Row> &rows);
+
+  /// "N" of a column "force [N]"; "" if there is none.
+  std::string unit_in(const std::string &header);
+  /// Header of a quantity, with its unit: "error in force [N]".
+  std::string header_of(const Quantity &quantity);
+
+  /// Writes study.csv, seconds.csv and, where a target is set, equal_error.csv to @p folder, and the table to @p database.
+  /// Nothing in study.csv depends on the speed of the machine.
+  void write_tables(const Study &study, const std::vector<Row> &rows, const std::filesystem::path &folder, Database &database);
+} // namespace myolines::study
