@@ -38,15 +38,8 @@ namespace myolines::study
 
     Measured growth(const Series &series)
     {
-      const double begin = series.t.front(), length = series.t.back() - begin;
-      Values       first, last;
-      for (std::size_t i = 0; i < series.t.size(); ++i)
-        {
-          if (series.t[i] <= begin + length / 4)
-            first.push_back(series.x[i]);
-          if (series.t[i] >= begin + 3 * length / 4)
-            last.push_back(series.x[i]);
-        }
+      const double quarter = (series.t.back() - series.t.front()) / 4;
+      const Values first = window(series, {}, series.t.front() + quarter).x, last = window(series, series.t.back() - quarter, {}).x;
       return ratio(largest(last), largest(first), "the column is zero in the first quarter");
     }
 
@@ -133,6 +126,10 @@ namespace myolines::study
              return Measured{root_mean_square(s.t, difference(s.x, r)), ""};
            }},
           {"overshoot", true, false, [](const Series &s, const Values &r, const Options &) { return overshoot(s.x, r); }},
+          {"late overshoot", true, false,
+           [](const Series &s, const Values &r, const Options &) {
+             return overshoot(window(s, s.t.back() - (s.t.back() - s.t.front()) / 4, {}).x, r);
+           }},
           {"relative variation", true, false, [](const Series &s, const Values &r, const Options &) {
              return ratio(total_variation(s.x), total_variation(r), "the reference is constant");
            }}};
@@ -157,6 +154,14 @@ namespace myolines::study
     return names;
   }
 
+  bool is_ratio(const std::string &measure)
+  {
+    for (const char *name : {"growth", "overshoot", "late overshoot", "relative variation"})
+      if (measure == name)
+        return true;
+    return false;
+  }
+
   Measured measure(const std::string &name, const Series &series, const std::vector<double> *reference, const MeasureOptions &options)
   {
     const auto &all   = known_measures();
@@ -166,7 +171,7 @@ namespace myolines::study
     if (series.x.empty())
       return {{}, "there is no row"};
     if (!std::all_of(series.x.begin(), series.x.end(), [](const double x) { return std::isfinite(x); }))
-      return {{}, "the column is not finite"};
+      return {{}, not_finite};
     static const Values none;
     const Values       &r        = reference == nullptr ? none : *reference;
     const Measured      measured = known->measure(series, r, options);

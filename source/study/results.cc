@@ -143,26 +143,30 @@ namespace myolines::study
       std::map<std::filesystem::path, std::optional<CsvTable>> tables_;
     };
 
-    /// The measure of the signal that a stability map is drawn of.
-    Quantity signal(const View &view, const std::string &measure)
+    SignalMeasures signal_measures(Evaluation &evaluation, const View &view, const Case &which)
     {
-      Quantity quantity;
-      quantity.file    = view.file;
-      quantity.column  = view.column;
-      quantity.measure = measure;
-      return quantity;
+      const auto of_signal = [&](const std::string &measure) {
+        Quantity quantity;
+        quantity.file    = view.file;
+        quantity.column  = view.column;
+        quantity.measure = measure;
+        return evaluation.value(quantity, which);
+      };
+      return {of_signal("overshoot"), of_signal("late overshoot"), of_signal("relative variation")};
     }
   } // namespace
 
-  std::string stability_class(const View &view, const bool done, const Measured &overshoot, const Measured &variation)
+  std::string stability_class(const View &view, const bool done, const SignalMeasures &signal)
   {
     if (!done)
       return "failed";
-    if (overshoot.note == "the column is not finite")
+    if (signal.overshoot.note == not_finite)
       return "diverged";
-    if (!overshoot.value || !variation.value)
+    if (!signal.overshoot.value || !signal.late_overshoot.value || !signal.variation.value)
       return "unknown";
-    return *overshoot.value > view.diverged ? "diverged" : *variation.value > view.oscillating ? "oscillating" : "stable";
+    if (*signal.late_overshoot.value > view.overshoot)
+      return "diverged";
+    return *signal.overshoot.value > view.overshoot || *signal.variation.value > view.variation ? "oscillating" : "stable";
   }
 
   std::vector<Row> evaluate(const Study &study, const std::vector<Case> &cases, const std::map<std::string, Outcome> &outcomes,
@@ -183,8 +187,7 @@ namespace myolines::study
           row.values.push_back(done ? evaluation.value(quantity, which) : Measured{});
         const bool judged = study.view.kind == Kind::stability_map && which.role == Case::Role::point && row.outcome.status != "open";
         if (judged)
-          row.stability = stability_class(study.view, done, done ? evaluation.value(signal(study.view, "overshoot"), which) : Measured{},
-                                          done ? evaluation.value(signal(study.view, "relative variation"), which) : Measured{});
+          row.stability = stability_class(study.view, done, done ? signal_measures(evaluation, study.view, which) : SignalMeasures{});
         rows.push_back(std::move(row));
       }
     add_rates(study, rows);

@@ -66,8 +66,10 @@ namespace myolines::study
           .text("ordinate", std::nullopt, "Axis of the map; every point of the others gives a map of its own.")
           .text("file", std::nullopt, "CSV file of the signal that is judged beside that of the reference.")
           .text("column", std::nullopt, "Header of its column.")
-          .number("diverged above", 1, "", Range::positive(), "Overshoot beyond the range of the reference, over that range.")
-          .number("oscillating above", 1.5, "", {1, 1e300, true, false}, "Total variation over that of the reference at the same times.");
+          .number("overshoot limit", 1, "", Range::positive(),
+                  "Above, in the last quarter of the time: diverged; before: oscillating. Over the range of the reference.")
+          .number("variation limit", 1.5, "", {1, 1e300, true, false},
+                  "Total variation above which it is oscillating, over that of the reference at the same times.");
       return {{"sweep", sweep}, {"work-precision", work_precision}, {"convergence in time", convergence}, {"stability map", map}};
     }
   } // namespace

@@ -165,13 +165,13 @@ namespace myolines::study
         }
       else
         {
-          view.kind        = Kind::stability_map;
-          view.abscissa    = an_axis("abscissa");
-          view.ordinate    = an_axis("ordinate");
-          view.file        = node.text("file");
-          view.column      = node.text("column");
-          view.diverged    = node.number("diverged above");
-          view.oscillating = node.number("oscillating above");
+          view.kind      = Kind::stability_map;
+          view.abscissa  = an_axis("abscissa");
+          view.ordinate  = an_axis("ordinate");
+          view.file      = node.text("file");
+          view.column    = node.text("column");
+          view.overshoot = node.number("overshoot limit");
+          view.variation = node.number("variation limit");
           if (!study.reference)
             node.refuse("kind", "a stability map needs a reference", "a list \"reference\"");
         }

@@ -152,8 +152,7 @@ namespace myolines::study
 
   std::string header_of(const Quantity &quantity)
   {
-    const bool pure =
-        quantity.relative || quantity.measure == "overshoot" || quantity.measure == "relative variation" || quantity.measure == "growth";
+    const bool  pure = quantity.relative || is_ratio(quantity.measure);
     std::string unit;
     if (quantity.source == Quantity::Source::seconds || quantity.measure == "decay time")
       unit = "s";

@@ -77,6 +77,7 @@ TEST(Measures, OvershootAndVariationBesideAReference)
   EXPECT_DOUBLE_EQ(value("overshoot", {{0, 1, 2, 3}, {0, 1, 2.5, 2}}, &r), 0.25);
   EXPECT_DOUBLE_EQ(value("overshoot", {{0, 1, 2, 3}, {-1, 1, 2.5, 2}}, &r), 0.5); // below counts too
   EXPECT_DOUBLE_EQ(value("overshoot", {{0, 1, 2, 3}, {0, 1, 1.5, 1.9}}, &r), 0);
+  EXPECT_DOUBLE_EQ(value("late overshoot", {{0, 1, 2, 3}, {-9, 9, 1, 2.25}}, &r), 0.125); // of the last value alone
   EXPECT_DOUBLE_EQ(value("relative variation", {{0, 1, 2, 3}, {0, 1, 0, 3}}, &r), 2.5);
 }
 

@@ -79,14 +79,18 @@ TEST(Results, EqualErrorInterpolatesInLogarithms)
 TEST(Results, ClassesFollowTheRules)
 {
   study::View view;
-  view.diverged    = 1;
-  view.oscillating = 1.5;
-  EXPECT_EQ(stability_class(view, false, {}, {}), "failed");
-  EXPECT_EQ(stability_class(view, true, {{}, "the column is not finite"}, {}), "diverged");
-  EXPECT_EQ(stability_class(view, true, {1.1, ""}, {9., ""}), "diverged");
-  EXPECT_EQ(stability_class(view, true, {0.9, ""}, {1.6, ""}), "oscillating");
-  EXPECT_EQ(stability_class(view, true, {0.9, ""}, {1.4, ""}), "stable");
-  EXPECT_EQ(stability_class(view, true, {{}, "its reference is not done"}, {}), "unknown");
+  view.overshoot      = 1;
+  view.variation      = 1.5;
+  const auto class_of = [&view](const double overshoot, const double late, const double variation) {
+    return stability_class(view, true, {{overshoot, ""}, {late, ""}, {variation, ""}});
+  };
+  EXPECT_EQ(stability_class(view, false, {}), "failed");
+  EXPECT_EQ(stability_class(view, true, {{{}, not_finite}, {}, {}}), "diverged");
+  EXPECT_EQ(class_of(1.1, 1.1, 9), "diverged");
+  EXPECT_EQ(class_of(1.1, 0.9, 1), "oscillating");
+  EXPECT_EQ(class_of(0.9, 0.9, 1.6), "oscillating");
+  EXPECT_EQ(class_of(0.9, 0.9, 1.4), "stable");
+  EXPECT_EQ(stability_class(view, true, {{{}, "its reference is not done"}, {}, {}}), "unknown");
 }
 
 TEST(Results, HeadersCarryUnits)
@@ -98,8 +102,11 @@ TEST(Results, HeadersCarryUnits)
   EXPECT_EQ(header_of(quantity), "force [N]");
   quantity.measure = "decay time";
   EXPECT_EQ(header_of(quantity), "force [s]");
-  quantity.measure = "overshoot";
-  EXPECT_EQ(header_of(quantity), "force");
+  for (const char *ratio : {"overshoot", "late overshoot", "relative variation", "growth"})
+    {
+      quantity.measure = ratio;
+      EXPECT_EQ(header_of(quantity), "force");
+    }
   EXPECT_EQ(unit_in("no unit"), "");
 }
 

@@ -12,6 +12,9 @@ namespace myolines::study
     std::vector<double> t, x;
   };
 
+  /// Why there is no measure of a column that has an infinite value or one that is no number.
+  constexpr const char *not_finite = "the column is not finite";
+
   /// A number, or why there is none.
   struct Measured
   {
@@ -29,9 +32,12 @@ namespace myolines::study
   ///   maximum error          the largest |x - r|
   ///   root mean square error sqrt(integral of (x - r)^2 dt / T), by the trapezoidal rule
   ///   overshoot              how far x leaves the range [min r, max r], over max r - min r
+  ///   late overshoot         the same of x in the last quarter of the time alone
   ///   relative variation     total variation of x over that of r at the same times.
   std::vector<std::string> measure_names();
   std::vector<std::string> measure_names_with_reference();
+  /// True if the measure has no unit, whatever the column.
+  bool is_ratio(const std::string &measure);
 
   struct MeasureOptions
   {

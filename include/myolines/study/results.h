@@ -25,10 +25,15 @@ namespace myolines::study
   std::vector<Row> evaluate(const Study &study, const std::vector<Case> &cases, const std::map<std::string, Outcome> &outcomes,
                             const std::filesystem::path &study_folder);
 
-  /// The class of a run: "failed" if it did not end as "done"; of its signal, beside that of the reference: "diverged" if it is not
-  /// finite or its overshoot is above the limit, "oscillating" if its relative variation is, else "stable"; "unknown" if there is
-  /// no reference to judge by.
-  std::string stability_class(const View &view, bool done, const Measured &overshoot, const Measured &variation);
+  /// How the signal of a stability map behaves beside that of the reference.
+  struct SignalMeasures
+  {
+    Measured overshoot, late_overshoot, variation;
+  };
+  /// The class of a run: "failed" if it did not end as "done"; "diverged" if its signal is not finite or its late overshoot is above
+  /// the limit; "oscillating" if the overshoot at any time or the relative variation is above its limit; else "stable". "unknown" if
+  /// there is no reference to judge by.
+  std::string stability_class(const View &view, bool done, const SignalMeasures &signal);
 
   /// Rates log(e_1/e_2) / log(h_1/h_2) of errors between neighbouring sizes of steps h; the coarsest has none. Cases belong
   /// together if they differ in no other axis.

@@ -76,15 +76,15 @@ namespace myolines::study
   struct View
   {
     Kind                  kind = Kind::sweep;
-    std::string           curves;          ///< axis: one curve for each of its points; "" for none
-    std::string           abscissa;        ///< axis; of a convergence the sizes of steps; "" for the first with numbers
-    std::string           ordinate;        ///< axis of a stability map
-    std::string           precision;       ///< quantity
-    std::string           work;            ///< quantity, or "CPU seconds"
-    std::optional<double> target;          ///< of the precision, at which methods are compared
-    std::string           file, column;    ///< the signal whose class is told
-    double                diverged    = 0; ///< overshoot above which it has
-    double                oscillating = 0; ///< relative variation above which it does
+    std::string           curves;        ///< axis: one curve for each of its points; "" for none
+    std::string           abscissa;      ///< axis; of a convergence the sizes of steps; "" for the first with numbers
+    std::string           ordinate;      ///< axis of a stability map
+    std::string           precision;     ///< quantity
+    std::string           work;          ///< quantity, or "CPU seconds"
+    std::optional<double> target;        ///< of the precision, at which methods are compared
+    std::string           file, column;  ///< the signal whose class is told
+    double                overshoot = 0; ///< limit of the overshoot
+    double                variation = 0; ///< limit of the relative variation
   };
 
   /// A study as its file describes it, consistent.
