@@ -80,7 +80,7 @@ namespace myolines
         command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
         command->add_option("--jobs", study_.jobs, "Runs at a time; default: one for each core")->check(CLI::PositiveNumber);
         command->add_flag("--retry", study_.retry, "Runs cases again that failed");
-        command->add_flag("--list", study_.list, "Prints the cases and runs nothing");
+        command->add_flag("--list", study_.list, "Validates and prints the cases, and runs nothing");
         command->add_option("--part", study_.part, "Runs every OF-th case from the one of that number on")->type_name("NUMBER/OF");
         command->add_option("--emit", study_.emit, "Writes a batch script instead: slurm (array job) or mpi (one job of many ranks)")
             ->check(CLI::IsMember({"slurm", "mpi"}));

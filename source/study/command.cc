@@ -113,13 +113,14 @@ namespace myolines::study
         }
     }
 
-    void list_cases(const Study &study, const std::vector<Case> &cases, std::ostream &out)
+    void list_cases(const Options &options, const Study &study, const std::vector<Case> &cases, std::ostream &out)
     {
       for (const Case &each : cases)
         {
           std::vector<std::string> words{"run", study.scene.string()};
           for (const std::string &setting : each.settings)
             words.insert(words.end(), {"--set", setting});
+          options.resolve(study.scene, each.settings); // refuses what a run would refuse
           out << each.name << "\n  " << shell_text(words) << "\n";
         }
       out << cases.size() << " cases\n";
@@ -204,7 +205,7 @@ namespace myolines::study
     const Study             study = read_study(node);
     const std::vector<Case> cases = expand(study);
     if (options.list)
-      return list_cases(study, cases, out);
+      return list_cases(options, study, cases, out);
 
     const std::filesystem::path folder = options.folder.empty() ? std::filesystem::path("results") / options.file.stem() : options.folder;
     on_writing_rank("output folder " + folder.string(), "a folder that can be made and written", "choose another one with --out", [&] {

@@ -65,8 +65,8 @@ namespace myolines::study
             continue;
           const std::string style = picture.lines && picture.marks ? "linespoints" : picture.lines ? "lines" : "points";
           out << separator << "$curve" << i << " using 1:2 with " << style << " lc rgb '" << colours[i % colours.size()] << "'";
-          if (picture.lines)
-            out << " dt " << 1 + i / colours.size() % 4 << " lw 1.5";
+          if (picture.lines) // where there are no marks, dashes tell curves apart
+            out << " dt " << 1 + (picture.marks ? i / colours.size() : i) % 5 << " lw 1.5";
           if (picture.marks)
             out << " pt " << marks[i % marks.size()] << " ps " << (picture.lines ? "0.9" : "2");
           out << " title " << quoted(curve.title);
@@ -90,7 +90,8 @@ namespace myolines::study
     std::ostringstream out;
     write_data(picture, out);
     out << "set title " << quoted(picture.title) << "\nset xlabel " << quoted(picture.x_label) << "\nset ylabel " << quoted(picture.y_label)
-        << "\nset grid lc rgb '#CCCCCC'\nset key outside right top\nset offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n";
+        << "\nset grid lc rgb '#CCCCCC'\nset key outside right top\n"
+        << (picture.marks ? "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n" : "set autoscale xfix\n");
     for (const auto &[axis, logarithmic] : {std::pair<const char *, bool>{"x", picture.log_x}, {"y", picture.log_y}})
       if (logarithmic)
         out << "set logscale " << axis << "\nset format " << axis << " '%g'\n";

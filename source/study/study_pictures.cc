@@ -55,14 +55,17 @@ namespace myolines::study
         return axis + (unit.empty() ? "" : " [" + unit + "]");
       }
 
-      /// The labels of a row on all axes but @p except, "be, 0.01".
+      /// A row on all axes but @p except, "method be, step 0.01"; the label alone if it is one axis.
       std::string others(const std::size_t row, const std::vector<std::string> &except) const
       {
-        std::vector<std::string> labels;
+        std::vector<std::string> labels, with_axes;
         for (const std::string &axis : study_.axis_names())
           if (std::find(except.begin(), except.end(), axis) == except.end())
-            labels.push_back(text(row, axis_header(axis)));
-        return join(labels);
+            {
+              labels.push_back(text(row, axis_header(axis)));
+              with_axes.push_back(axis + " " + labels.back());
+            }
+        return labels.size() == 1 ? labels.front() : join(with_axes);
       }
 
     private:

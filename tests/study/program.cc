@@ -5,9 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 using namespace myolines::study;
 using namespace myolines::testing;
 
@@ -34,10 +31,11 @@ namespace
     const pid_t driver =
         processes.start({MYOLINES_PROGRAM, "study", (folder / "study.xml").string(), "--out", (folder / "killed").string(), "--jobs", "2"},
                         folder / "console");
-    while (count(contents(folder / "killed/study.log"), "  done  ") < n)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    processes.send(driver, signal);
     std::vector<Ended> ended;
+    while (ended.empty() && count(contents(folder / "killed/study.log"), "  done  ") < n)
+      ended = processes.wait(0.005);
+    if (ended.empty())
+      processes.send(driver, signal);
     while (ended.empty())
       ended = processes.wait(1);
     return ended.front().exit_code;
@@ -137,6 +135,19 @@ TEST(StudyProgram, ReferenceIsCrossChecked)
   EXPECT_LT(std::stod(table->rows[1][*state]), 1e-4);
   // backward Euler damps cos(1) by exp(-h/2)
   EXPECT_NEAR(std::stod(table->rows[4][*state]) / std::stod(table->rows[3][*state]), 0.5, 0.03);
+}
+
+TEST(StudyProgram, StudiesThatComeAlongAreValid)
+{
+  const TestFolder folder;
+  std::size_t      n = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(MYOLINES_SOURCE_DIR "/input/studies"))
+    {
+      const ::Outcome outcome = run_program(folder, "study '" + entry.path().string() + "' --list");
+      EXPECT_EQ(outcome.exit_code, 0) << entry.path() << "\n" << outcome.err;
+      n += count(outcome.out, "\n  run ");
+    }
+  EXPECT_GT(n, 200u);
 }
 
 TEST(StudyProgram, BadInputIsToldBeforeAnythingRuns)

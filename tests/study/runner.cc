@@ -101,6 +101,24 @@ TEST(Runner, TimeOutsAndBudgets)
   EXPECT_TRUE(long_study.outcomes().empty()); // what was stopped is no result
 }
 
+/// Stopped runs go on from their checkpoint if the study says so and the scene is still the same; their CPU seconds are not known.
+TEST(Runner, InterruptedCasesResume)
+{
+  const std::string script       = "touch \"$6/checkpoint\"; printf %s \"$4\" > \"$6/scene.resolved.xml\"\n"
+                                   "case \"$*\" in *--resume*) exit 0;; *) exec sleep 60;; esac\n";
+  const std::string short_budget = section("budget", parameter("total", "0.3", "double"));
+  FakeProgram       resumes(script, parameter("interrupted cases", "resume") + short_budget);
+  resumes.options_.jobs = 3;
+  EXPECT_EQ(resumes.run().n_open, 3u);
+  EXPECT_EQ(resumes.run().n_run, 3u);
+  EXPECT_FALSE(resumes.outcomes().at("step=1").cpu_seconds.has_value());
+  EXPECT_NE(resumes.outcomes().at("step=1").command.find("--resume"), std::string::npos);
+
+  FakeProgram restarts(script, short_budget);
+  EXPECT_EQ(restarts.run().n_open, 3u);
+  EXPECT_EQ(restarts.run().n_open, 3u);
+}
+
 TEST(Runner, AsManyAtATimeAsToldAndStopsAtASignal)
 {
   FakeProgram fake("exec sleep 60\n");

@@ -24,7 +24,7 @@ namespace myolines::study
     std::vector<std::string> overrides;
     unsigned int             jobs  = 0; ///< processes at a time; 0: one for each core
     bool                     retry = false;
-    bool                     list  = false; ///< print the cases and run none
+    bool                     list  = false; ///< validate and print the cases, run none
     std::string              part;          ///< as read_part() takes it; "" for all
     std::string              emit;          ///< "slurm", "mpi": write that script and run nothing; "" for none
     unsigned int             tasks = 8;     ///< of the script
