@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace myolines::study
 {
@@ -100,16 +101,27 @@ namespace myolines::study
       return picture.curves.back();
     }
 
-    /// @p y over @p x, both headers of the table; a curve for each point of the axes that are not in @p along.
+    /// @p y over @p x, both headers of the table; a curve for each point of the axes that are not in @p along. Points of a curve are
+    /// joined in the order of their numbers on the first axis of @p along that has any.
     Picture diagram(const Study &study, const PointTable &table, const std::string &name, const std::string &x, const std::string &y,
                     const std::vector<std::string> &along)
     {
+      const auto number = [&](const std::size_t row) {
+        for (const std::string &axis : along)
+          if (const double value = table.number(row, table.axis_header(axis)); !std::isnan(value))
+            return value;
+        return 0.;
+      };
+      std::vector<std::size_t> order(table.n_rows());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(), order.end(), [&number](const std::size_t a, const std::size_t b) { return number(a) < number(b); });
+
       Picture picture = titled(study, name, x, y);
       for (std::size_t row = 0; row < table.n_rows(); ++row)
+        curve_named(picture, table.others(row, along)); // in the order of the table
+      for (const std::size_t row : order)
         if (!table.text(row, x).empty())
           curve_named(picture, table.others(row, along)).points.emplace_back(table.number(row, x), table.number(row, y));
-      for (Curve &curve : picture.curves)
-        std::sort(curve.points.begin(), curve.points.end());
       return picture;
     }
 

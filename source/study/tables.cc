@@ -127,20 +127,37 @@ namespace myolines::study
       return results;
     }
 
-    using Points = std::vector<std::pair<double, double>>; ///< error and work
-
-    /// The cheapest work at error @p target on the polygon through @p points, which are in the order of their work.
-    Measured work_at(Points points, const double target)
+    /// A place on the curve of a method.
+    struct CurvePoint
     {
-      std::sort(points.begin(), points.end(), [](const auto &a, const auto &b) { return a.second < b.second; });
+      double size; ///< number of the case on the axis along the curve
+      double error, work;
+    };
+
+    /// Number of a case on the first axis but @p curves that has one; points of a curve are neighbours along it.
+    double size_of(const Case &which, const std::string &curves)
+    {
+      for (const auto &[axis, point] : which.coordinates)
+        if (axis != curves && point.number)
+          return *point.number;
+      return 0;
+    }
+
+    /// The least work at error @p target on the polygon through @p points.
+    Measured work_at(std::vector<CurvePoint> points, const double target)
+    {
+      std::stable_sort(points.begin(), points.end(), [](const CurvePoint &a, const CurvePoint &b) { return a.size < b.size; });
+      Measured least{{}, "no two neighbouring points enclose the target"};
       for (std::size_t i = 0; i + 1 < points.size(); ++i)
         {
-          const auto [e1, w1] = points[i];
-          const auto [e2, w2] = points[i + 1];
-          if ((e1 - target) * (e2 - target) <= 0 && e1 != e2)
-            return {w1 * std::pow(w2 / w1, std::log(target / e1) / std::log(e2 / e1)), ""};
+          const CurvePoint &a = points[i], &b = points[i + 1];
+          if ((a.error - target) * (b.error - target) > 0 || a.error == b.error)
+            continue;
+          const double work = a.work * std::pow(b.work / a.work, std::log(target / a.error) / std::log(b.error / a.error));
+          if (!least.value || work < *least.value)
+            least = {work, ""};
         }
-      return {{}, "no two neighbouring points enclose the target"};
+      return least;
     }
   } // namespace
 
@@ -188,11 +205,11 @@ namespace myolines::study
 
   std::vector<EqualError> equal_error(const Study &study, const std::vector<Row> &rows)
   {
-    const View                      &view      = study.view;
-    const std::size_t                precision = index_of(study, view.precision).value();
-    const std::optional<std::size_t> work      = index_of(study, view.work);
-    std::vector<std::string>         methods;
-    std::map<std::string, Points>    curves;
+    const View                                    &view      = study.view;
+    const std::size_t                              precision = index_of(study, view.precision).value();
+    const std::optional<std::size_t>               work      = index_of(study, view.work);
+    std::vector<std::string>                       methods;
+    std::map<std::string, std::vector<CurvePoint>> curves;
     for (const Row &row : rows)
       if (row.which->role == Case::Role::point && row.which->coordinates.count(view.curves) > 0)
         {
@@ -200,9 +217,9 @@ namespace myolines::study
           const std::optional<double> e = row.values[precision].value, w = work ? row.values[*work].value : row.outcome.cpu_seconds;
           if (curves.count(method) == 0)
             methods.push_back(method);
-          Points &points = curves[method];
+          std::vector<CurvePoint> &points = curves[method];
           if (e && w && *e > 0 && *w > 0)
-            points.emplace_back(*e, *w);
+            points.push_back({size_of(*row.which, view.curves), *e, *w});
         }
     std::vector<EqualError> costs;
     std::optional<double>   least;

@@ -46,7 +46,7 @@ namespace myolines::study
     Measured    work;
     Measured    ratio; ///< over the cheapest
   };
-  /// Work of each curve at the target, on the straight line between neighbouring points in logarithms: the cheapest such place.
+  /// Least work of each curve at the target, on straight lines in logarithms between points that are neighbours along the other axis.
   std::vector<EqualError> equal_error(const Study &study, const std::vector<Row> &rows);
 
   /// "N" of a column "force [N]"; "" if there is none.
