@@ -80,11 +80,19 @@ namespace myolines
         command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
         command->add_option("--jobs", study_.jobs, "Runs at a time; default: one for each core")->check(CLI::PositiveNumber);
         command->add_flag("--retry", study_.retry, "Runs cases again that failed");
-        command->add_flag("--list", study_.list, "Validates and prints the cases, and runs nothing");
-        command->add_option("--part", study_.part, "Runs every OF-th case from the one of that number on")->type_name("NUMBER/OF");
-        command->add_option("--emit", study_.emit, "Writes a batch script instead: slurm (array job) or mpi (one job of many ranks)")
-            ->check(CLI::IsMember({"slurm", "mpi"}));
-        command->add_option("--tasks", study_.tasks, "Tasks of that script")->check(CLI::PositiveNumber)->capture_default_str();
+        CLI::Option *list = command->add_flag("--list", study_.list, "Validates and prints the cases, and runs nothing");
+        CLI::Option *part =
+            command->add_option("--part", study_.part, "Runs every OF-th case from the one of that number on")->type_name("NUMBER/OF");
+        CLI::Option *emit =
+            command->add_option("--emit", study_.emit, "Writes a batch script instead: slurm (array job) or mpi (one job of many ranks)")
+                ->check(CLI::IsMember({"slurm", "mpi"}))
+                ->excludes(part)
+                ->excludes(list);
+        part->excludes(list);
+        command->add_option("--tasks", study_.tasks, "Tasks of that script")
+            ->check(CLI::PositiveNumber)
+            ->needs(emit)
+            ->capture_default_str();
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
         command->add_option("--set", study_.overrides, "Overrides a value of the study: \"budget/total=60\"; may be repeated")
             ->allow_extra_args(false)

@@ -94,6 +94,7 @@ TEST(StudyProgram, PartsAreTakenTogether)
   ASSERT_EQ(run_program(folder, "study study.xml --out whole").exit_code, 0);
   EXPECT_EQ(contents(folder / "parts/study.csv"), contents(folder / "whole/study.csv"));
   EXPECT_EQ(run_program(folder, "study study.xml --out parts --part 3/2").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "study study.xml --out parts --part 1/2 --emit slurm").exit_code, 2);
 }
 
 TEST(StudyProgram, RanksOfOneJobAreTakenTogether)
