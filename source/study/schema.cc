@@ -59,8 +59,9 @@ namespace myolines::study
           .text("work", "CPU seconds", "Quantity that is the cost, or \"CPU seconds\" of the process.")
           .optional_number("target", "", Range::positive(),
                            "Error at which equal_error.csv compares the costs, interpolated within each curve.");
-      Schema convergence("Errors and their observed rates over the size of the steps.");
-      convergence.text("curves", "", "Axis whose points are the methods.").text("steps", std::nullopt, "Axis with the sizes of steps.");
+      Schema convergence("Errors and their observed rates over the size of the steps or of the cells.");
+      convergence.text("curves", "", "Axis whose points are the methods.")
+          .text("sizes", std::nullopt, "Axis with the sizes: of steps, or of cells as names of groups.");
       Schema map("Every case is classed: stable, oscillating, diverged, failed; doc/studies.md has the rules.");
       map.text("abscissa", std::nullopt, "Axis of the map.")
           .text("ordinate", std::nullopt, "Axis of the map; every point of the others gives a map of its own.")
@@ -70,7 +71,7 @@ namespace myolines::study
                   "Above, in the last quarter of the time: diverged; before: oscillating. Over the range of the reference.")
           .number("variation limit", 1.5, "", {1, 1e300, true, false},
                   "Total variation above which it is oscillating, over that of the reference at the same times.");
-      return {{"sweep", sweep}, {"work-precision", work_precision}, {"convergence in time", convergence}, {"stability map", map}};
+      return {{"sweep", sweep}, {"work-precision", work_precision}, {"convergence", convergence}, {"stability map", map}};
     }
   } // namespace
 

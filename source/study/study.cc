@@ -152,16 +152,17 @@ namespace myolines::study
           if (node.has("target"))
             view.target = node.number("target");
         }
-      else if (kind == "convergence in time")
+      else if (kind == "convergence")
         {
-          view.kind     = Kind::convergence_in_time;
+          view.kind     = Kind::convergence;
           view.curves   = an_axis("curves");
-          view.abscissa = an_axis("steps");
+          view.abscissa = an_axis("sizes");
           for (const Grid &grid : study.grids)
             for (const Axis &axis : grid.axes)
               for (const AxisPoint &point : axis.points)
                 if (axis.name == view.abscissa && !(point.number && *point.number > 0))
-                  node.refuse("steps", "the point \"" + point.label + "\" of the axis is no size of a step", "positive numbers");
+                  node.refuse("sizes", "the point \"" + point.label + "\" of the axis is no size",
+                              "positive numbers; groups may have such names");
         }
       else
         {
@@ -202,6 +203,18 @@ namespace myolines::study
         if (axis.name == name)
           return axis;
     throw std::out_of_range("no axis " + name);
+  }
+
+  std::vector<std::string> Study::axes_along(const std::string &name) const
+  {
+    std::vector<std::string> names{name};
+    for (const Grid &grid : grids)
+      for (const Axis &axis : grid.axes)
+        if (!axis.zipped_with.empty() && (contains(names, axis.name) || contains(names, axis.zipped_with)))
+          for (const std::string &other : {axis.name, axis.zipped_with})
+            if (!contains(names, other))
+              names.push_back(other);
+    return names;
   }
 
   std::vector<std::string> split(const std::string &text)

@@ -173,7 +173,8 @@ namespace myolines::study
         if (quantity.is_error())
           {
             const std::string &axis = study.view.abscissa;
-            Picture picture = diagram(study, table, quantity.name + " over " + axis, table.axis_header(axis), header_of(quantity), {axis});
+            Picture picture         = diagram(study, table, quantity.name + " over " + axis, table.axis_header(axis), header_of(quantity),
+                                              study.axes_along(axis));
             picture.log_x = picture.log_y = true;
             pictures.push_back(picture);
           }
@@ -246,7 +247,7 @@ namespace myolines::study
         return sweep_pictures(study, table);
       case Kind::work_precision:
         return work_precision_pictures(study, table);
-      case Kind::convergence_in_time:
+      case Kind::convergence:
         return convergence_pictures(study, table);
       case Kind::stability_map:
         return map_pictures(study, table);

@@ -13,11 +13,11 @@ namespace myolines::study
     std::string cell(const Measured &measured) { return measured.value ? exact_text(*measured.value) : ""; }
 
     /// The labels of all axes but @p except.
-    std::map<std::string, std::string> labels(const Case &which, const std::string &except)
+    std::map<std::string, std::string> labels(const Case &which, const std::vector<std::string> &except)
     {
       std::map<std::string, std::string> all;
       for (const auto &[axis, point] : which.coordinates)
-        if (axis != except)
+        if (std::find(except.begin(), except.end(), axis) == except.end())
           all.emplace(axis, point.label);
       return all;
     }
@@ -55,7 +55,7 @@ namespace myolines::study
 
     void write_study_csv(const Study &study, const std::vector<Row> &rows, const std::filesystem::path &folder)
     {
-      const bool               map = study.view.kind == Kind::stability_map, rates = study.view.kind == Kind::convergence_in_time;
+      const bool               map = study.view.kind == Kind::stability_map, rates = study.view.kind == Kind::convergence;
       std::vector<std::string> header{"case", "role"};
       for (const std::string &axis : study.axis_names())
         header.push_back(axis + (study.axis(axis).unit.empty() ? "" : " [" + study.axis(axis).unit + "]"));
@@ -182,13 +182,14 @@ namespace myolines::study
   {
     for (Row &row : rows)
       row.rates.assign(study.quantities.size(), {});
-    if (study.view.kind != Kind::convergence_in_time)
+    if (study.view.kind != Kind::convergence)
       return;
-    const std::string                                               &axis = study.view.abscissa;
+    const std::string                                               &axis  = study.view.abscissa;
+    const std::vector<std::string>                                   along = study.axes_along(axis);
     std::map<std::map<std::string, std::string>, std::vector<Row *>> families;
     for (Row &row : rows)
       if (row.which->role == Case::Role::point && row.which->coordinates.count(axis) > 0)
-        families[labels(*row.which, axis)].push_back(&row);
+        families[labels(*row.which, along)].push_back(&row);
     const auto size = [&axis](const Row *row) { return *row->which->coordinates.at(axis).number; };
     for (auto &[others, family] : families)
       {

@@ -47,7 +47,7 @@ TEST(StudyProgram, MeasuresRatesInTime)
 {
   const StudyFolder folder;
   folder.write_study(grid("all", methods + steps),
-                     parameter("kind", "convergence in time") + parameter("curves", "method") + parameter("steps", "step") + error);
+                     parameter("kind", "convergence") + parameter("curves", "method") + parameter("sizes", "step") + error);
   const ::Outcome outcome = run_program(folder, "study study.xml --out out --jobs 2");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("6 cases: 6 done"), std::string::npos) << outcome.out;

@@ -39,9 +39,8 @@ namespace
 TEST(Results, RatesOfPowersAreTheirExponents)
 {
   const StudyFolder folder;
-  const Study       study =
-      folder.study(grid("all", steps + methods), parameter("kind", "convergence in time") + parameter("steps", "step") + error);
-  const auto cases = expand(study);
+  const Study study = folder.study(grid("all", steps + methods), parameter("kind", "convergence") + parameter("sizes", "step") + error);
+  const auto  cases = expand(study);
   ASSERT_EQ(cases[1].name, "step=0.1,method=nm");
   std::vector<std::pair<double, double>> values;
   for (const double h : {0.1, 0.05, 0.025})
@@ -56,6 +55,20 @@ TEST(Results, RatesOfPowersAreTheirExponents)
       EXPECT_NEAR(rows[i + 1].rates[0].value.value(), 2, 1e-13);
       EXPECT_FALSE(rows[i].rates[1].value.has_value()); // a count is no error
     }
+}
+
+/// In time and space at once: an axis that is zipped with that of the sizes goes along with it.
+TEST(Results, RatesAlongZippedAxes)
+{
+  const StudyFolder folder;
+  const Study       study =
+      folder.study(grid("all", steps + listed("mass", "system/mass", "3 | 2 | 1", parameter("zipped with", "step")) + methods),
+                   parameter("kind", "convergence") + parameter("sizes", "step") + error);
+  const auto       cases = expand(study);
+  std::vector<Row> rows  = rows_with(cases, {{8, 1}, {9, 1}, {4, 1}, {3, 1}, {2, 1}, {1, 1}});
+  add_rates(study, rows);
+  EXPECT_DOUBLE_EQ(rows[2].rates[0].value.value(), 1);
+  EXPECT_DOUBLE_EQ(rows[5].rates[0].value.value(), std::log(3.) / std::log(2.));
 }
 
 /// Work w at error 1/w and 1/w^2: the target 1e-2 costs 100 and 10.

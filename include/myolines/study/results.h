@@ -17,7 +17,7 @@ namespace myolines::study
     const Case           *which = nullptr; ///< borrowed
     Outcome               outcome;         ///< of status "open" if the case has not ended
     std::vector<Measured> values;          ///< of the quantities, in their order; none if the case is not done
-    std::vector<Measured> rates;           ///< observed orders of the same, in a convergence study
+    std::vector<Measured> rates;           ///< observed orders of the same, in a study of convergence
     std::string           stability;       ///< class, in a stability map
   };
 
@@ -35,7 +35,7 @@ namespace myolines::study
   /// there is no reference to judge by.
   std::string stability_class(const View &view, bool done, const SignalMeasures &signal);
 
-  /// Rates log(e_1/e_2) / log(h_1/h_2) of errors between neighbouring sizes of steps h; the coarsest has none. Cases belong
+  /// Rates log(e_1/e_2) / log(h_1/h_2) of errors between neighbouring sizes h; the coarsest has none. Cases belong
   /// together if they differ in no other axis.
   void add_rates(const Study &study, std::vector<Row> &rows);
 

@@ -68,7 +68,7 @@ namespace myolines::study
   {
     sweep,
     work_precision,
-    convergence_in_time,
+    convergence,
     stability_map
   };
 
@@ -104,6 +104,8 @@ namespace myolines::study
     std::vector<std::string> axis_names() const;
     /// The first axis of that name. @throws std::out_of_range.
     const Axis &axis(const std::string &name) const;
+    /// @p name and the axes that are zipped with it, in some grid.
+    std::vector<std::string> axes_along(const std::string &name) const;
   };
 
   /// Declaration of study files.
