@@ -54,7 +54,8 @@ namespace myolines::study
       sweep.text("curves", "", "Axis whose points are curves of the pictures.")
           .text("abscissa", "", "Axis along which the curves go; the first with numbers if empty.");
       Schema work_precision("What an error costs: one curve for each method.");
-      work_precision.text("curves", std::nullopt, "Axis whose points are the methods.")
+      work_precision
+          .text("curves", std::nullopt, "Axis whose points are the methods; there is one other, along which they become more accurate.")
           .text("precision", std::nullopt, "Quantity that is the error.")
           .text("work", "CPU seconds", "Quantity that is the cost, or \"CPU seconds\" of the process.")
           .optional_number("target", "", Range::positive(),

@@ -151,6 +151,10 @@ namespace myolines::study
           require(node, "work", view.work, quantities, "quantity");
           if (node.has("target"))
             view.target = node.number("target");
+          for (const std::string &axis : axes)
+            if (axis != view.curves && study.axes_along(axis).size() + 1 < axes.size())
+              node.refuse("curves", "there are " + std::to_string(axes.size() - 1) + " axes beside it",
+                          "one along which methods become more accurate, and others only if they are zipped with it");
         }
       else if (kind == "convergence")
         {

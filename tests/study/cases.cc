@@ -123,6 +123,11 @@ TEST(Cases, WrongStudiesAreRefusedWithTheNameMeant)
   EXPECT_NE(complaint(grid("a", step_axis), section("cross check", parameter("settings", "time/step=1"))).find("no reference"),
             std::string::npos);
   EXPECT_NE(complaint(grid("a", listed("step", "time/step", " | ")), "").find("no value"), std::string::npos);
+  EXPECT_NE(complaint(grid("a", method_axis + step_axis + listed("mass", "system/mass", "1 | 3")),
+                      parameter("kind", "work-precision") + parameter("curves", "method") + parameter("precision", "error in u") +
+                          section("quantities", error_against_cosine()))
+                .find("2 axes beside it"),
+            std::string::npos);
   EXPECT_NE(complaint("", "").find("no grid"), std::string::npos);
   EXPECT_NE(complaint(grid("a", step_axis), parameter("kid", "sweep")).find("\"kind\""), std::string::npos);
 }
