@@ -105,15 +105,17 @@ namespace myolines::study
     return out.str();
   }
 
-  void draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder)
+  std::size_t draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder)
   {
     std::string script;
+    std::size_t n = 0;
     for (const Picture &picture : pictures)
       if (has_points(picture))
         {
           const std::string own = gnuplot_script(picture);
           replace_file(folder / (picture.name + ".gp"), own);
           script += own + "reset\n";
+          ++n;
         }
     // All at once: starting the program takes longer than drawing.
     const std::filesystem::path all = folder / "pictures.gp", console = folder / "gnuplot.log";
@@ -131,5 +133,6 @@ namespace myolines::study
       throw InputError(InputProblem{"gnuplot", "is not there", "the program that draws the pictures", "./myolines.sh install"});
     if (ended.front().exit_code != 0)
       throw std::runtime_error("gnuplot failed: " + words.str());
+    return n;
   }
 } // namespace myolines::study

@@ -146,7 +146,7 @@ namespace myolines::study
         study ? pictures_of_study(options.folders.front()) : pictures_of_runs(options.folders, options.file);
     const std::filesystem::path folder = !options.out.empty() ? options.out : one ? options.folders.front() / "pictures" : "pictures";
     std::filesystem::create_directories(folder);
-    draw(pictures, folder);
-    out << pictures.size() << " pictures, as PNG and SVG, are in " << folder.string() << "; each NAME.gp is what gnuplot draws one from.\n";
+    out << draw(pictures, folder) << " pictures, as PNG and SVG, are in " << folder.string()
+        << "; each NAME.gp is what gnuplot draws one from.\n";
   }
 } // namespace myolines::study

@@ -31,7 +31,7 @@ namespace myolines::study
   /// without colours.
   std::string gnuplot_script(const Picture &picture);
 
-  /// Writes NAME.gp, NAME.png and NAME.svg of each picture to @p folder. @throws InputError if there is no gnuplot,
-  /// std::runtime_error with its words if it fails.
-  void draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder);
+  /// Writes NAME.gp, NAME.png and NAME.svg of each picture that has points to @p folder; how many. @throws InputError if there is no
+  /// gnuplot, std::runtime_error with its words if it fails.
+  std::size_t draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder);
 } // namespace myolines::study
