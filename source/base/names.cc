@@ -50,4 +50,18 @@ namespace myolines
       text += (text.empty() ? "" : separator) + word;
     return text;
   }
+
+  std::string shell_text(const std::vector<std::string> &words)
+  {
+    std::string text;
+    for (const std::string &word : words)
+      {
+        const bool  plain = !word.empty() && word.find_first_of(" \t\n'\"\\$`;&|<>()*?#") == std::string::npos;
+        std::string quoted;
+        for (const char c : word)
+          quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        text += (text.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
+      }
+    return text;
+  }
 } // namespace myolines

@@ -4,6 +4,7 @@
 #include <myolines/cli/commands.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>
+#include <myolines/study/study.h>
 #include <myolines/system/drive.h>
 #include <myolines/time/integrator.h>
 
@@ -96,6 +97,14 @@ namespace myolines
       return items;
     }
 
+    /// The kinds, and the whole file.
+    Items studies()
+    {
+      Items items = alternatives(study::study_schema());
+      items.push_back({"file", study::study_schema().doc(), describe(study::study_schema())});
+      return items;
+    }
+
     const std::vector<std::pair<std::string, std::function<Items()>>> &topics()
     {
       static const std::vector<std::pair<std::string, std::function<Items()>>> all{
@@ -104,7 +113,8 @@ namespace myolines
           {"tissues", tissues},
           {"profiles", [] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); }},
           {"preconditioners", [] { return alternatives(LinearSolver::preconditioner_schema()); }},
-          {"outputs", outputs}};
+          {"outputs", outputs},
+          {"studies", studies}};
       return all;
     }
 

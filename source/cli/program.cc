@@ -4,6 +4,7 @@
 #include <myolines/cli/flexodeal.h>
 #include <myolines/cli/program.h>
 #include <myolines/output/text_file.h>
+#include <myolines/study/plot.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -27,6 +28,8 @@ namespace myolines
         app.footer("Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed or a signal stopped the run.");
         add_run();
         add_check();
+        add_study();
+        add_plot();
         add_list();
         add_template();
         add_import();
@@ -69,6 +72,43 @@ namespace myolines
         add_overrides(command);
       }
 
+      void add_study()
+      {
+        CLI::App *command = add(app, "study", "Runs many variants of a scene and tabulates what is asked of them; see: list studies",
+                                [this] { study_command(study_, run.quiet, out_); });
+        command->add_option("study", study_.file, "The study")->required()->type_name("STUDY.xml");
+        command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
+        command->add_option("--jobs", study_.jobs, "Runs at a time; default: one for each core")->check(CLI::PositiveNumber);
+        command->add_flag("--retry", study_.retry, "Runs cases again that failed");
+        CLI::Option *list = command->add_flag("--list", study_.list, "Validates and prints the cases, and runs nothing");
+        CLI::Option *part =
+            command->add_option("--part", study_.part, "Runs every OF-th case from the one of that number on")->type_name("NUMBER/OF");
+        CLI::Option *emit =
+            command->add_option("--emit", study_.emit, "Writes a batch script instead: slurm (array job) or mpi (one job of many ranks)")
+                ->check(CLI::IsMember({"slurm", "mpi"}))
+                ->excludes(part)
+                ->excludes(list);
+        part->excludes(list);
+        command->add_option("--tasks", study_.tasks, "Tasks of that script")
+            ->check(CLI::PositiveNumber)
+            ->needs(emit)
+            ->capture_default_str();
+        command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
+        command->add_option("--set", study_.overrides, "Overrides a value of the study: \"budget/total=60\"; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("PATH=VALUE");
+      }
+
+      void add_plot()
+      {
+        CLI::App *command =
+            add(app, "plot", "Draws a run, several runs or a study, as PNG and SVG", [this] { study::plot_command(plot_, out_); });
+        command->add_option("folders", plot_.folders, "Output folders")->required()->type_name("DIR");
+        command->add_option("--out", plot_.out, "Where to write; default: pictures/ in the folder, or here if there are several")
+            ->type_name("DIR");
+        command->add_option("--file", plot_.file, "Of runs: only this table, such as reaction.csv")->type_name("FILE.csv");
+      }
+
       void add_list()
       {
         CLI::App *command =
@@ -101,26 +141,12 @@ namespace myolines
             ->type_name("STEPS");
       }
 
-      std::ostream    &out_;
-      std::string      topic_, name_;
-      FlexodealOptions flexodeal_;
+      std::ostream      &out_;
+      std::string        topic_, name_;
+      FlexodealOptions   flexodeal_;
+      study::Options     study_;
+      study::PlotOptions plot_;
     };
-
-    /// The command as a shell would read it.
-    std::string joined(const int argc, const char *const *argv)
-    {
-      std::string text;
-      for (int i = 0; i < argc; ++i)
-        {
-          const std::string word  = argv[i];
-          const bool        plain = !word.empty() && word.find_first_of(" \t\n'\"\\$`;&|<>()*?#") == std::string::npos;
-          std::string       quoted;
-          for (const char c : word)
-            quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-          text += (i > 0 ? " " : "") + (plain ? word : "'" + quoted + "'");
-        }
-      return text;
-    }
 
     int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out,
                             std::ostream &err)
@@ -188,7 +214,7 @@ namespace myolines
       {
         return refuse_command_line(line.app, error, argc, argv, out, err);
       }
-    line.run.command_line = joined(argc, argv);
+    line.run.command_line = shell_text(std::vector<std::string>(argv, argv + argc));
     return static_cast<int>(guarded(line.chosen, err));
   }
 } // namespace myolines

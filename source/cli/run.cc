@@ -5,6 +5,8 @@
 #include <myolines/output/outputs.h>
 #include <myolines/output/text_file.h>
 
+#include <ctime>
+
 namespace myolines
 {
   namespace
@@ -75,8 +77,10 @@ namespace myolines
       std::vector<Observer *> observers{&tally};
       for (const auto &output : outputs)
         observers.push_back(output.get());
-      const StopSignals signals;
+      const StopSignals  signals;
+      const std::clock_t begin = std::clock();
       experiment.run(observers, folder.path, [&] { return signals.noted(); });
+      experiment.ledger().add_seconds("CPU of the run", static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
 
     void say_where_to_look(const std::filesystem::path &folder, std::ostream &out)

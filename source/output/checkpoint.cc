@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -213,5 +214,19 @@ namespace myolines
       }
     checkpoint.state = state;
     return checkpoint;
+  }
+
+  std::vector<double> CheckpointReader::whole(const std::string &name) const
+  {
+    const auto is_wanted = [&name](const Block &block) { return block.part == "state" && block.name == name; };
+    const auto found     = std::find_if(blocks_.begin(), blocks_.end(), is_wanted);
+    if (found == blocks_.end())
+      throw std::logic_error("a checkpoint has no vector \"" + name + "\" of the state");
+    std::vector<double> values(n_unknowns_);
+    std::ifstream       stream(file_, std::ios::binary);
+    stream.seekg(static_cast<std::streamoff>(begin_ + (found - blocks_.begin()) * n_unknowns_ * sizeof(double)));
+    if (!stream.read(reinterpret_cast<char *>(values.data()), static_cast<std::streamsize>(n_unknowns_ * sizeof(double))))
+      refuse(file_, "the checkpoint is cut off");
+    return values;
   }
 } // namespace myolines

@@ -125,8 +125,9 @@ namespace myolines::scene
     }
   } // namespace
 
-  RawList parse_document(const std::string &xml, const std::string &file, std::vector<InputProblem> &problems)
+  RawList parse_document(const std::string &xml, const std::string &file, std::vector<InputProblem> &problems, const std::string &root_name)
   {
+    const std::string  expected = "<ParameterList name=\"" + root_name + "\">";
     Teuchos::XMLObject root;
     try
       {
@@ -135,12 +136,12 @@ namespace myolines::scene
     catch (const std::exception &error)
       {
         problems.push_back(
-            {file, "malformed XML: " + last_line(error.what()), "an XML document <ParameterList name=\"scene\"> ... </ParameterList>", ""});
+            {file, "malformed XML: " + last_line(error.what()), "an XML document " + expected + " ... </ParameterList>", ""});
         return {};
       }
-    if (root.getTag() != list_tag || !root.hasAttribute("name") || root.getAttribute("name") != "scene")
+    if (root.getTag() != list_tag || !root.hasAttribute("name") || root.getAttribute("name") != root_name)
       {
-        problems.push_back({file, "the document is " + root.header(), "<ParameterList name=\"scene\">", ""});
+        problems.push_back({file, "the document is " + root.header(), expected, ""});
         return {};
       }
     return Reader(file, problems).list(root, "", "");

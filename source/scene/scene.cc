@@ -13,10 +13,11 @@ namespace myolines::scene
     }
 
     /// A wrong document is refused before its contents are looked at: what follows would only repeat it.
-    RawList raw_scene(const std::string &xml, const std::string &name, const std::vector<std::string> &overrides)
+    RawList raw_scene(const std::string &xml, const std::string &name, const std::vector<std::string> &overrides,
+                      const std::string &root_name = "scene")
     {
       std::vector<InputProblem> problems;
-      RawList                   root = parse_document(xml, name, problems);
+      RawList                   root = parse_document(xml, name, problems, root_name);
       apply_overrides(root, overrides, problems);
       throw_if_any(problems);
       return root;
@@ -39,15 +40,16 @@ namespace myolines::scene
     }
   } // namespace
 
-  Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides)
+  Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides,
+                  const std::string &root)
   {
-    return build_root(raw_scene(file_text(file), file.string(), overrides), schema, file.string(), file.parent_path());
+    return build_root(raw_scene(file_text(file), file.string(), overrides, root), schema, file.string(), file.parent_path());
   }
 
   Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name, const std::filesystem::path &folder,
-                   const std::vector<std::string> &overrides)
+                   const std::vector<std::string> &overrides, const std::string &root)
   {
-    return build_root(raw_scene(xml, name, overrides), schema, name, folder);
+    return build_root(raw_scene(xml, name, overrides, root), schema, name, folder);
   }
 
   std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,

@@ -114,6 +114,11 @@ namespace myolines::scene
     return add({name, Kind::choice, std::move(fallback), false, "", {}, std::move(choices), doc});
   }
 
+  Schema &Schema::file(const std::string &name, const std::string &doc)
+  {
+    return add({name, Kind::file, std::nullopt, false, "", {}, {}, doc});
+  }
+
   Schema &Schema::optional_number(const std::string &name, const std::string &unit, const Range range, const std::string &doc)
   {
     return add({name, Kind::number, std::nullopt, true, unit, range, {}, doc});

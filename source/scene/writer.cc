@@ -49,11 +49,11 @@ namespace myolines::scene
     }
   } // namespace
 
-  std::string SceneWriter::document(const Node &root, const Schema *schema)
+  std::string SceneWriter::document(const Node &root, const Schema *schema, const std::string &name)
   {
     out_.str("");
     line("<?xml version=\"1.0\" encoding=\"UTF-8\"?>", 0);
-    line("<ParameterList name=\"scene\">", 0);
+    line("<ParameterList name=\"" + escaped(name) + "\">", 0);
     contents(root, schema, 1);
     line("</ParameterList>", 0);
     return out_.str();
@@ -136,7 +136,10 @@ namespace myolines::scene
 
   void SceneWriter::line(const std::string &text, const int depth) { out_ << std::string(2 * depth, ' ') << text << '\n'; }
 
-  std::string resolved_xml(const Node &root) { return SceneWriter(SceneWriter::Values::all).document(root); }
+  std::string resolved_xml(const Node &root, const std::string &name)
+  {
+    return SceneWriter(SceneWriter::Values::all).document(root, nullptr, name);
+  }
 
   std::string written_xml(const Node &root) { return SceneWriter(SceneWriter::Values::written).document(root); }
 

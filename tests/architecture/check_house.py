@@ -20,6 +20,7 @@ FENCES = (
     ("Epetra and Thyra", r"\b(Epetra_\w+|Thyra(::|_)|EpetraExt\w*)", ("include/myolines/algebra", "source/algebra", "source/solve")),
     ("NOX, Belos, ML and Amesos", r"\bNOX(::|_)|\bBelos(::|\w*\.hpp)|\bML_(Epetra|\w+\.h)|\bml_\w+\.h|\bAmesos\w*[:.]", ("source/solve",)),
     ("XML of Teuchos", r"\bTeuchos_XML\w*|\bTeuchos::XML\w*|Xml(File|String|Stream)\b", ("source/scene",)),
+    ("SQLite", r"\bsqlite3_\w+|[<\"]sqlite3\.h", ("source/study",)),
     ("SUNDIALS", r"[<\"](sundials|arkode|cvodes?|idas?|kinsol|nvector)/", ("integrators/sundials_", "source/integrators/sundials_", "include/myolines/integrators/sundials_")),
 )
 
@@ -178,10 +179,12 @@ PLANTED = (
     ("source/time/planted.cc", "#include <myolines/muscle3d/parameters.h>\n", "time includes muscle3d"),
     ("include/myolines/materials/planted.h", "# include <myolines/fem/element.h>\n", "materials includes fem"),
     ("source/output/planted.cc", "#include <myolines/cli/cli.h>\n", "output includes cli"),
+    ("source/study/planted.cc", "#include <myolines/cli/commands.h>\n", "study includes cli"),
     ("integrators/planted.cc", "#include <myolines/oscillator/oscillator_system.h>\n", "integrators includes oscillator"),
     ("source/fem/planted.cc", "Epetra_Map map;\n", "Epetra and Thyra may be named only"),
     ("include/myolines/solve/planted.h", "#include <NOX.H>\n#include <BelosTypes.hpp>\n", "NOX, Belos, ML and Amesos may be named only"),
     ("source/cli/planted.cc", "Teuchos::XMLObject object;\n", "XML of Teuchos may be named only"),
+    ("source/cli/planted3.cc", "#include <sqlite3.h>\n", "SQLite may be named only"),
     ("source/time/planted2.cc", "#include <arkode/arkode.h>\n", "SUNDIALS may be named only"),
     ("source/attic/planted.cc", "int x;\n", "the room attic is not in the table"),
     ("source/scene/planted.cc", '#include "../time/loop.h"\n', "a quoted include leaves its folder"),

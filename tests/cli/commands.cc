@@ -18,6 +18,7 @@ TEST(Run, WritesItsFolderAndSaysWhere)
   for (const char *file : {"scene.resolved.xml", "manifest.json", "ledger.json", "run.log", "steps.csv", "trajectory.csv"})
     EXPECT_TRUE(std::filesystem::exists(folder / "results/swing" / file)) << file;
   EXPECT_NE(contents(folder / "results/swing/manifest.json").find("\"exit reason\": \"done\""), std::string::npos);
+  EXPECT_NE(contents(folder / "results/swing/ledger.json").find("\"CPU of the run\""), std::string::npos);
 }
 
 TEST(Run, ResolvedSceneGivesTheSameNumbers)
@@ -188,7 +189,7 @@ TEST(List, EveryTopicDescribesEveryItemItNames)
 TEST(Help, IsEverywhere)
 {
   const TestFolder folder;
-  for (const std::string command : {"", "run", "check", "list", "template", "import", "import flexodeal"})
+  for (const std::string command : {"", "run", "check", "study", "plot", "list", "template", "import", "import flexodeal"})
     {
       const Outcome outcome = run_program(folder, command + " --help");
       EXPECT_EQ(outcome.exit_code, 0) << command;

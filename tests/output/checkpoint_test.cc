@@ -113,6 +113,24 @@ TEST(Checkpoint, GivesBackEveryBit)
   EXPECT_EQ(back.instruction_set, "AVX2");
 }
 
+TEST(Checkpoint, GivesAVectorWithoutTheSystem)
+{
+  test::Folder folder;
+  const Sample sample;
+  write_checkpoint(folder.path / "checkpoint", sample.checkpoint, sample.system);
+  const std::vector<unsigned int> order = sample.system.canonical_order();
+  for (const auto &[name, vector] :
+       {std::pair<const char *, const Vector *>{"u", &sample.checkpoint.state.u}, {"v", &sample.checkpoint.state.v}})
+    {
+      const std::vector<double> whole = CheckpointReader(folder.path / "checkpoint").whole(name);
+      ASSERT_EQ(whole.size(), order.size());
+      for (std::size_t i = 0; i < order.size(); ++i)
+        EXPECT_EQ(whole[i], (*vector)(order[i]));
+    }
+  std::ofstream(folder.path / "short", std::ios::binary) << folder.text("checkpoint").substr(0, folder.text("checkpoint").size() - 60);
+  EXPECT_THROW(CheckpointReader(folder.path / "short").whole("a"), InputError);
+}
+
 TEST(Checkpoint, TheOldOneStandsUntilTheNewOneIsWhole)
 {
   // What a kill while writing leaves: a part of the new file beside the old one.

@@ -11,4 +11,7 @@ namespace myolines
 
   /// "a, b, c".
   std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
+
+  /// A command as a shell would read it: words with blanks or special characters in quotes.
+  std::string shell_text(const std::vector<std::string> &words);
 } // namespace myolines

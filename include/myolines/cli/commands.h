@@ -1,5 +1,7 @@
 #pragma once
 
+#include <myolines/study/command.h>
+
 #include <filesystem>
 #include <ostream>
 #include <string>
@@ -23,6 +25,9 @@ namespace myolines
 
   /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps.
   void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out);
+
+  /// Runs the study that @p options describe as runs of this program; what they leave open is set here.
+  void study_command(study::Options options, bool quiet, std::ostream &out);
 
   /// The words `list` accepts.
   std::vector<std::string> list_topics();

@@ -44,6 +44,10 @@ namespace myolines
     /// @throws InputError if the file is damaged or holds another number of unknowns.
     Checkpoint read(const SemiDiscreteSystem &system) const;
 
+    /// All entries of u, v or a (@p name) in canonical order, without the system; on the rank that calls.
+    /// @throws InputError if the file is damaged.
+    std::vector<double> whole(const std::string &name) const;
+
   private:
     struct Block
     {

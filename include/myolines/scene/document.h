@@ -25,9 +25,10 @@ namespace myolines::scene
     bool                      from_override = false; ///< not in the file; an override made it
   };
 
-  /// The tree of @p xml; what is not a parameter list goes to @p problems, with @p file in front.
-  /// Works on the document itself, not on Teuchos::ParameterList, because that hides duplicates.
-  RawList parse_document(const std::string &xml, const std::string &file, std::vector<InputProblem> &problems);
+  /// The tree of @p xml, whose outermost list must be named @p root; what is not a parameter list goes to @p problems, with
+  /// @p file in front. Works on the document itself, not on Teuchos::ParameterList, because that hides duplicates.
+  RawList parse_document(const std::string &xml, const std::string &file, std::vector<InputProblem> &problems,
+                         const std::string &root = "scene");
 
   /// The contents of @p file; an unreadable one is a problem.
   std::string read_text(const std::filesystem::path &file, std::vector<InputProblem> &problems);

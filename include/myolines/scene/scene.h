@@ -68,11 +68,14 @@ namespace myolines::scene
   /// All problems are collected into one InputError: unreadable or malformed XML, unknown (with the nearest valid name),
   /// duplicate, misspelt, mistyped or out-of-range entries, missing required ones, missing files.
   /// An override may create lists that the scene does not write, but no named ones (boundary conditions).
-  Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides = {});
+  /// @p root is the name of the outermost list, which tells what kind of document it is.
+  Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides = {},
+                  const std::string &root = "scene");
 
   /// The same from XML text; @p name stands for the file in messages, @p folder resolves relative paths.
   Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name = "scene",
-                   const std::filesystem::path &folder = ".", const std::vector<std::string> &overrides = {});
+                   const std::filesystem::path &folder = ".", const std::vector<std::string> &overrides = {},
+                   const std::string &root = "scene");
 
   /// The text of the parameter at @p path ("system/type") with @p overrides applied, before any validation; nothing if it
   /// is not written. For what decides which schema applies. @throws InputError if the file is unreadable or malformed.
@@ -86,8 +89,9 @@ namespace myolines::scene
   Node compose_scene(const Schema &schema, const std::vector<Setting> &settings, const std::string &name = "scene",
                      const std::filesystem::path &folder = ".");
 
-  /// XML with every value in force; reading it back gives an equal node. File paths are written absolute.
-  std::string resolved_xml(const Node &root);
+  /// XML with every value in force, its outermost list named @p name; reading it back gives an equal node. File paths are
+  /// written absolute.
+  std::string resolved_xml(const Node &root, const std::string &name = "scene");
 
   /// XML with only the values that the scene itself wrote.
   std::string written_xml(const Node &root);

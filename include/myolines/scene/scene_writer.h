@@ -21,8 +21,8 @@ namespace myolines::scene
       : values_(values)
     {}
 
-    /// The document of a root node. With a @p schema, every value is preceded by a comment from its declaration.
-    std::string document(const Node &root, const Schema *schema = nullptr);
+    /// The document of a root node, named @p name. With a @p schema, every value is preceded by a comment from its declaration.
+    std::string document(const Node &root, const Schema *schema = nullptr, const std::string &name = "scene");
 
   private:
     void list(const Node &node, const Schema *schema, int depth);

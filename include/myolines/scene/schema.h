@@ -65,6 +65,7 @@ namespace myolines::scene
     Schema &boolean(const std::string &name, bool fallback, const std::string &doc);
     Schema &text(const std::string &name, std::optional<std::string> fallback, const std::string &doc);
     Schema &choice(const std::string &name, std::optional<std::string> fallback, std::vector<std::string> choices, const std::string &doc);
+    Schema &file(const std::string &name, const std::string &doc); ///< required
 
     /// As above, but absent when not written: no default, Node::has() tells.
     Schema &optional_number(const std::string &name, const std::string &unit, Range range, const std::string &doc);

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+struct sqlite3;
+
+namespace myolines::study
+{
+  /// How the run of a case ended, and with what.
+  struct Outcome
+  {
+    std::string           name;
+    std::string           scene;       ///< every value in force, as scene.resolved.xml
+    std::string           status;      ///< "done", "failed", "refused", "crashed", "timed out"
+    std::string           reason;      ///< of all but "done"
+    std::optional<double> cpu_seconds; ///< of the process; none if it went on from a checkpoint
+    double                wall_seconds = 0;
+    std::string           command;  ///< as a shell would read it
+    std::string           manifest; ///< of the run: versions, git hash, host, dates; "" if it left none
+    std::string           ledger;   ///< of the run: counts and seconds; "" if it left none
+  };
+
+  /// A cell of the table.
+  struct Result
+  {
+    std::string           name; ///< of the case
+    std::string           column;
+    std::optional<double> value;
+    std::string           note; ///< the class, or why there is no value
+  };
+
+  /// The SQLite file that keeps what a study has found: table `cases`, a row for each ended run, and table `results`.
+  /// Every call is one transaction, on the disk when it returns.
+  /// @throws InputError if the file is no such database, std::runtime_error if the disk refuses.
+  class Database
+  {
+  public:
+    explicit Database(const std::filesystem::path &file);
+    ~Database();
+    Database(const Database &)            = delete;
+    Database &operator=(const Database &) = delete;
+
+    std::map<std::string, Outcome> outcomes() const;
+
+    /// Adds the outcomes, each replacing one of the same case.
+    void store(const std::vector<Outcome> &outcomes);
+
+    /// Replaces all results.
+    void replace_results(const std::vector<Result> &results);
+
+  private:
+    class Statement;
+    class Transaction;
+    void execute(const std::string &sql) const;
+
+    std::filesystem::path file_;
+    sqlite3              *handle_ = nullptr;
+  };
+} // namespace myolines::study

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace myolines::study
+{
+  struct Curve
+  {
+    std::string                            title;
+    std::vector<std::pair<double, double>> points; ///< those that are not finite are left out
+  };
+
+  /// A diagram.
+  struct Picture
+  {
+    std::string        name; ///< of its files, without extension
+    std::string        title;
+    std::string        x_label, y_label; ///< with units
+    bool               log_x = false, log_y = false;
+    bool               lines = true, marks = true; ///< between and at the points
+    std::vector<Curve> curves;
+    /// Words at places of the axes, instead of numbers.
+    std::vector<std::pair<double, std::string>> x_words, y_words;
+  };
+
+  /// The commands for gnuplot that draw @p picture as NAME.png and NAME.svg in its folder, data included. Colours are those that
+  /// every eye can tell apart (Okabe and Ito, 2008, https://jfly.uni-koeln.de/color/); marks and dashes tell curves apart on paper
+  /// without colours.
+  std::string gnuplot_script(const Picture &picture);
+
+  /// Writes NAME.gp, NAME.png and NAME.svg of each picture that has points to @p folder; how many. @throws InputError if there is no
+  /// gnuplot, std::runtime_error with its words if it fails.
+  std::size_t draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder);
+} // namespace myolines::study

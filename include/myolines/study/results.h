@@ -1,0 +1,60 @@
+#pragma once
+
+#include <myolines/study/cases.h>
+#include <myolines/study/database.h>
+#include <myolines/study/measures.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace myolines::study
+{
+  /// What was found for one case.
+  struct Row
+  {
+    const Case           *which = nullptr; ///< borrowed
+    Outcome               outcome;         ///< of status "open" if the case has not ended
+    std::vector<Measured> values;          ///< of the quantities, in their order; none if the case is not done
+    std::vector<Measured> rates;           ///< observed orders of the same, in a study of convergence
+    std::string           stability;       ///< class, in a stability map
+  };
+
+  /// Measures all cases that are done, from their folders in @p study_folder. @p cases outlives the rows.
+  std::vector<Row> evaluate(const Study &study, const std::vector<Case> &cases, const std::map<std::string, Outcome> &outcomes,
+                            const std::filesystem::path &study_folder);
+
+  /// How the signal of a stability map behaves beside that of the reference.
+  struct SignalMeasures
+  {
+    Measured overshoot, late_overshoot, variation;
+  };
+  /// The class of a run: "failed" if it did not end as "done"; "diverged" if its signal is not finite or its late overshoot is above
+  /// the limit; "oscillating" if the overshoot at any time or the relative variation is above its limit; else "stable". "unknown" if
+  /// there is no reference to judge by.
+  std::string stability_class(const View &view, bool done, const SignalMeasures &signal);
+
+  /// Rates log(e_1/e_2) / log(h_1/h_2) of errors between neighbouring sizes h; the coarsest has none. Cases belong
+  /// together if they differ in no other axis.
+  void add_rates(const Study &study, std::vector<Row> &rows);
+
+  /// Cost of one method at the precision wanted.
+  struct EqualError
+  {
+    std::string method;
+    Measured    work;
+    Measured    ratio; ///< over the cheapest
+  };
+  /// Least work of each curve at the target, on straight lines in logarithms between points that are neighbours along the other axis.
+  std::vector<EqualError> equal_error(const Study &study, const std::vector<Row> &rows);
+
+  /// "N" of a column "force [N]"; "" if there is none.
+  std::string unit_in(const std::string &header);
+  /// Header of a quantity, with its unit: "error in force [N]".
+  std::string header_of(const Quantity &quantity);
+
+  /// Writes study.csv, seconds.csv and, where a target is set, equal_error.csv to @p folder, and the table to @p database.
+  /// Nothing in study.csv depends on the speed of the machine.
+  void write_tables(const Study &study, const std::vector<Row> &rows, const std::filesystem::path &folder, Database &database);
+} // namespace myolines::study

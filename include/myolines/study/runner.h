@@ -1,0 +1,43 @@
+#pragma once
+
+#include <myolines/study/cases.h>
+#include <myolines/study/database.h>
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace myolines::study
+{
+  struct RunnerOptions
+  {
+    std::filesystem::path program;       ///< that has the command `run`
+    std::filesystem::path folder;        ///< of the study; runs go to cases/<name> in it
+    unsigned int          jobs  = 1;     ///< processes at a time
+    bool                  retry = false; ///< cases that did not end as "done" are run again
+    /// The resolved scene of a case. @throws InputError if its settings do not fit the scene.
+    std::function<std::string(const std::vector<std::string> &settings)> resolve;
+    std::function<int()>                                                 stop_signal;        ///< 0 until one is noted
+    std::ostream                                                        *terminal = nullptr; ///< for the progress; may be none
+  };
+
+  /// How far a study has come.
+  struct RunnerReport
+  {
+    std::size_t n_known = 0; ///< cases that had ended before
+    std::size_t n_run   = 0; ///< that ended now
+    std::size_t n_open  = 0; ///< that are still to be run
+    std::string why_open;    ///< "signal 15", "the total budget of 60 s is spent"; "" if none is
+  };
+
+  /// Folder of the run of a case.
+  std::filesystem::path case_folder(const std::filesystem::path &study_folder, const std::string &case_name);
+
+  /// Runs the @p cases that @p database does not hold yet, or holds of another scene or without their folder, each as a process of
+  /// its own: `program run SCENE --set ... --out FOLDER --quiet`. A case counts once its process has ended by itself or by its
+  /// time-out; its outcome is in the database before the next one starts. Killed at any moment and called again, it goes on with the
+  /// cases that were not in the database. Progress goes to study.log in the folder and to the terminal.
+  RunnerReport run_cases(const Study &study, const std::vector<Case> &cases, Database &database, const RunnerOptions &options);
+} // namespace myolines::study

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace myolines::study
+{
+  /// One value of an axis: what it is called and the parameters that it sets ("time/step=0.01").
+  struct AxisPoint
+  {
+    std::string              label;
+    std::vector<std::string> settings;
+    std::optional<double>    number; ///< the value, where it is one
+  };
+
+  struct Axis
+  {
+    std::string            name;
+    std::string            unit;        ///< for pictures; "" for none
+    std::string            zipped_with; ///< an earlier axis of the grid that this one goes along with; "" if it is crossed with all
+    std::vector<AxisPoint> points;
+  };
+
+  /// Axes that are crossed (or zipped) with each other. A study is the union of its grids.
+  struct Grid
+  {
+    std::string       name;
+    std::vector<Axis> axes;
+  };
+
+  /// A finer run that cases are measured against: the base scene, the settings of the study, those of all coordinates of the
+  /// case but the axes replaced, then its own.
+  struct Reference
+  {
+    std::vector<std::string> settings;
+    std::vector<std::string> instead_of; ///< names of axes
+  };
+
+  /// A number that a case is asked for.
+  struct Quantity
+  {
+    enum class Source
+    {
+      column, ///< measure of a column of a CSV file
+      state,  ///< relative l2 difference of all unknowns at the end from the reference
+      count,  ///< of ledger.json
+      seconds ///< of ledger.json
+    };
+    std::string                          name;
+    Source                               source = Source::column;
+    std::string                          file, column, measure;
+    bool                                 relative = false;
+    double                               fraction = 0; ///< of the decay time
+    std::optional<double>                from, until;  ///< only rows within [s]
+    std::optional<std::filesystem::path> reference_file;
+    std::optional<std::string>           reference_formula; ///< in t
+    std::string                          key;               ///< of the ledger, or "displacement", "velocity"
+
+    /// Needs something to be compared with.
+    bool is_error() const;
+  };
+
+  enum class Kind
+  {
+    sweep,
+    work_precision,
+    convergence,
+    stability_map
+  };
+
+  /// What the table and the pictures of the study's kind need; names of axes and quantities.
+  struct View
+  {
+    Kind                  kind = Kind::sweep;
+    std::string           curves;        ///< axis: one curve for each of its points; "" for none
+    std::string           abscissa;      ///< axis; of a convergence the sizes of steps; "" for the first with numbers
+    std::string           ordinate;      ///< axis of a stability map
+    std::string           precision;     ///< quantity
+    std::string           work;          ///< quantity, or "CPU seconds"
+    std::optional<double> target;        ///< of the precision, at which methods are compared
+    std::string           file, column;  ///< the signal whose class is told
+    double                overshoot = 0; ///< limit of the overshoot
+    double                variation = 0; ///< limit of the relative variation
+  };
+
+  /// A study as its file describes it, consistent.
+  struct Study
+  {
+    std::string              title;
+    std::filesystem::path    scene; ///< the base
+    std::vector<std::string> settings;
+    bool                     resumes = false; ///< interrupted cases go on from their checkpoints
+    double                   case_seconds, total_seconds;
+    std::vector<Grid>        grids;
+    std::optional<Reference> reference, cross_check;
+    std::vector<Quantity>    quantities;
+    View                     view;
+
+    /// Names of all axes, in order of their first appearance.
+    std::vector<std::string> axis_names() const;
+    /// The first axis of that name. @throws std::out_of_range.
+    const Axis &axis(const std::string &name) const;
+    /// @p name and the axes that are zipped with it, in some grid.
+    std::vector<std::string> axes_along(const std::string &name) const;
+  };
+
+  /// Declaration of study files.
+  scene::Schema study_schema();
+
+  /// The document in @p file. @throws InputError.
+  scene::Node read_study_file(const std::filesystem::path &file, const std::vector<std::string> &overrides = {});
+
+  /// What a validated document means. @throws InputError for what no range can express.
+  Study read_study(const scene::Node &node);
+
+  /// "a | b" -> {"a", "b"}; blanks around are dropped, empty parts too.
+  std::vector<std::string> split(const std::string &text);
+} // namespace myolines::study

@@ -1,0 +1,64 @@
+#include "batch_script.h"
+
+#include <myolines/base/names.h>
+
+namespace myolines::study
+{
+  namespace
+  {
+    std::string study_call(const BatchCall &call)
+    {
+      std::vector<std::string> words{call.program.string(), "study", call.file.string(), "--out", call.folder.string()};
+      for (const std::string &setting : call.overrides)
+        words.insert(words.end(), {"--set", setting});
+      return shell_text(words);
+    }
+  } // namespace
+
+  std::string slurm_script(const BatchCall &call)
+  {
+    const std::string n = std::to_string(call.tasks), log = shell_text({(call.folder / "slurm-%A-%a.log").string()});
+    return "#!/bin/bash\n"
+           "# sbatch THIS_FILE            runs the cases\n"
+           "# bash THIS_FILE collect      afterwards: runs what is left, measures and writes the tables\n"
+           "#SBATCH --array=1-" +
+           n +
+           "\n"
+           "#SBATCH --cpus-per-task=1\n"
+           "#SBATCH --output=" +
+           log +
+           "\n"
+           "set -eu\n"
+           "export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1\n"
+           "if [ \"${1:-}\" = collect ]; then\n"
+           "  exec " +
+           study_call(call) +
+           "\n"
+           "fi\n"
+           "exec " +
+           study_call(call) + " --part \"$SLURM_ARRAY_TASK_ID/" + n + "\" --jobs \"${SLURM_CPUS_PER_TASK:-1}\" --quiet\n";
+  }
+
+  std::string mpi_script(const BatchCall &call)
+  {
+    const std::string n = std::to_string(call.tasks);
+    return "#!/bin/bash\n"
+           "# bash THIS_FILE              runs the cases as one job of " +
+           n +
+           " ranks of Open MPI, then measures and writes the tables\n"
+           "set -eu\n"
+           "export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1\n"
+           "if [ \"${1:-}\" = part ]; then\n"
+           "  part=$((OMPI_COMM_WORLD_RANK + 1))\n"
+           "  unset ${!OMPI_*} ${!PMIX_*} ${!ORTE_*} # every part is a program of its own\n"
+           "  exec " +
+           study_call(call) + " --part \"$part/" + n +
+           "\" --jobs 1 --quiet\n"
+           "fi\n"
+           "mpirun -np " +
+           n +
+           " bash \"$0\" part\n"
+           "exec " +
+           study_call(call) + "\n";
+  }
+} // namespace myolines::study

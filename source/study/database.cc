@@ -1,0 +1,207 @@
+#include <myolines/base/error.h>
+#include <myolines/study/database.h>
+
+#include <sqlite3.h>
+
+#include <stdexcept>
+
+namespace myolines::study
+{
+  namespace
+  {
+    constexpr int version = 1; ///< of the tables
+
+    constexpr const char *tables = R"(
+      CREATE TABLE cases (name TEXT PRIMARY KEY, status TEXT NOT NULL, reason TEXT NOT NULL, cpu_seconds REAL, wall_seconds REAL NOT NULL,
+                          command TEXT NOT NULL, manifest TEXT NOT NULL, ledger TEXT NOT NULL, scene TEXT NOT NULL);
+      CREATE TABLE results (name TEXT NOT NULL, "column" TEXT NOT NULL, value REAL, note TEXT NOT NULL, PRIMARY KEY (name, "column"));
+    )";
+
+    [[noreturn]] void fail(const std::filesystem::path &file, const std::string &what)
+    {
+      throw std::runtime_error("cannot use " + file.string() + ": " + what);
+    }
+  } // namespace
+
+  class Database::Statement
+  {
+  public:
+    Statement(const Database &database, const char *sql)
+      : database_(database)
+    {
+      if (sqlite3_prepare_v2(database.handle_, sql, -1, &handle_, nullptr) != SQLITE_OK)
+        fail(database.file_, sqlite3_errmsg(database.handle_));
+    }
+    ~Statement() { sqlite3_finalize(handle_); }
+    Statement(const Statement &)            = delete;
+    Statement &operator=(const Statement &) = delete;
+
+    void bind(const int i, const std::string &text)
+    {
+      check(sqlite3_bind_text(handle_, i, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT));
+    }
+    void bind(const int i, const std::optional<double> &number)
+    {
+      check(number ? sqlite3_bind_double(handle_, i, *number) : sqlite3_bind_null(handle_, i));
+    }
+
+    /// True if there is a row.
+    bool step()
+    {
+      const int code = sqlite3_step(handle_);
+      if (code != SQLITE_ROW && code != SQLITE_DONE)
+        fail(database_.file_, sqlite3_errmsg(database_.handle_));
+      return code == SQLITE_ROW;
+    }
+    void reset() { check(sqlite3_reset(handle_)); }
+
+    std::string text(const int i) const
+    {
+      return {reinterpret_cast<const char *>(sqlite3_column_text(handle_, i)), static_cast<std::size_t>(sqlite3_column_bytes(handle_, i))};
+    }
+    std::optional<double> number(const int i) const
+    {
+      return sqlite3_column_type(handle_, i) == SQLITE_NULL ? std::nullopt : std::optional<double>(sqlite3_column_double(handle_, i));
+    }
+
+  private:
+    void check(const int code)
+    {
+      if (code != SQLITE_OK)
+        fail(database_.file_, sqlite3_errmsg(database_.handle_));
+    }
+
+    const Database &database_;
+    sqlite3_stmt   *handle_ = nullptr;
+  };
+
+  /// Rolled back unless it is committed.
+  class Database::Transaction
+  {
+  public:
+    explicit Transaction(const Database &database)
+      : database_(database)
+    {
+      database_.execute("BEGIN IMMEDIATE");
+    }
+    ~Transaction()
+    {
+      if (!committed_)
+        sqlite3_exec(database_.handle_, "ROLLBACK", nullptr, nullptr, nullptr);
+    }
+    Transaction(const Transaction &)            = delete;
+    Transaction &operator=(const Transaction &) = delete;
+
+    void commit()
+    {
+      database_.execute("COMMIT");
+      committed_ = true;
+    }
+
+  private:
+    const Database &database_;
+    bool            committed_ = false;
+  };
+
+  Database::Database(const std::filesystem::path &file)
+    : file_(file)
+  {
+    const auto refuse = [this](const std::string &what) {
+      sqlite3_close(handle_);
+      throw InputError(InputProblem{file_.string(), what, "the database of a study by this version of the program",
+                                    "choose another folder with --out, or remove the file to begin anew"});
+    };
+    if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK)
+      refuse(sqlite3_errmsg(handle_));
+    sqlite3_busy_timeout(handle_, 60000);
+    try
+      {
+        Transaction transaction(*this);
+        int         found = 0, n_tables = 0;
+        {
+          Statement user_version(*this, "PRAGMA user_version"), count(*this, "SELECT count(*) FROM sqlite_master");
+          user_version.step();
+          count.step();
+          found    = static_cast<int>(user_version.number(0).value());
+          n_tables = static_cast<int>(count.number(0).value());
+        }
+        if (found == 0 && n_tables == 0)
+          execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(version));
+        else if (found != version)
+          throw std::runtime_error("it is a database of something else");
+        transaction.commit();
+      }
+    catch (const std::runtime_error &error)
+      {
+        refuse(error.what());
+      }
+  }
+
+  Database::~Database() { sqlite3_close(handle_); }
+
+  void Database::execute(const std::string &sql) const
+  {
+    if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
+      fail(file_, sqlite3_errmsg(handle_));
+  }
+
+  std::map<std::string, Outcome> Database::outcomes() const
+  {
+    std::map<std::string, Outcome> all;
+    Statement row(*this, "SELECT name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene FROM cases");
+    while (row.step())
+      {
+        Outcome outcome;
+        outcome.name         = row.text(0);
+        outcome.status       = row.text(1);
+        outcome.reason       = row.text(2);
+        outcome.cpu_seconds  = row.number(3);
+        outcome.wall_seconds = row.number(4).value();
+        outcome.command      = row.text(5);
+        outcome.manifest     = row.text(6);
+        outcome.ledger       = row.text(7);
+        outcome.scene        = row.text(8);
+        all.emplace(outcome.name, outcome);
+      }
+    return all;
+  }
+
+  void Database::store(const std::vector<Outcome> &outcomes)
+  {
+    Transaction transaction(*this);
+    Statement row(*this, "INSERT OR REPLACE INTO cases (name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene) "
+                         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const Outcome &outcome : outcomes)
+      {
+        row.bind(1, outcome.name);
+        row.bind(2, outcome.status);
+        row.bind(3, outcome.reason);
+        row.bind(4, outcome.cpu_seconds);
+        row.bind(5, std::optional<double>(outcome.wall_seconds));
+        row.bind(6, outcome.command);
+        row.bind(7, outcome.manifest);
+        row.bind(8, outcome.ledger);
+        row.bind(9, outcome.scene);
+        row.step();
+        row.reset();
+      }
+    transaction.commit();
+  }
+
+  void Database::replace_results(const std::vector<Result> &results)
+  {
+    Transaction transaction(*this);
+    execute("DELETE FROM results");
+    Statement row(*this, "INSERT INTO results (name, \"column\", value, note) VALUES (?, ?, ?, ?)");
+    for (const Result &result : results)
+      {
+        row.bind(1, result.name);
+        row.bind(2, result.column);
+        row.bind(3, result.value);
+        row.bind(4, result.note);
+        row.step();
+        row.reset();
+      }
+    transaction.commit();
+  }
+} // namespace myolines::study

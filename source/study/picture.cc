@@ -1,0 +1,138 @@
+#include <myolines/base/error.h>
+#include <myolines/output/text_file.h>
+#include <myolines/study/picture.h>
+#include <myolines/study/processes.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace myolines::study
+{
+  namespace
+  {
+    const std::vector<std::string> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+    const std::vector<int>         marks{5, 7, 9, 11, 13, 4, 6, 8, 10, 12}; // filled, then open
+
+    /// In quotes for gnuplot.
+    std::string quoted(const std::string &text)
+    {
+      std::string result = "'";
+      for (const char c : text)
+        result += c == '\'' ? std::string("''") : std::string(1, c == '\n' ? ' ' : c);
+      return result + "'";
+    }
+
+    bool drawable(const Picture &picture, const std::pair<double, double> &point)
+    {
+      const auto [x, y] = point;
+      return std::isfinite(x) && std::isfinite(y) && !(picture.log_x && x <= 0) && !(picture.log_y && y <= 0);
+    }
+
+    void write_data(const Picture &picture, std::ostream &out)
+    {
+      for (std::size_t i = 0; i < picture.curves.size(); ++i)
+        {
+          out << "$curve" << i << " << EOD\n";
+          for (const auto &point : picture.curves[i].points)
+            if (drawable(picture, point))
+              out << exact_text(point.first) << " " << exact_text(point.second) << "\n";
+          out << "EOD\n";
+        }
+    }
+
+    void write_words(const std::string &axis, const std::vector<std::pair<double, std::string>> &words, std::ostream &out)
+    {
+      if (words.empty())
+        return;
+      out << "set " << axis << "tics (";
+      for (std::size_t i = 0; i < words.size(); ++i)
+        out << (i > 0 ? ", " : "") << quoted(words[i].second) << " " << exact_text(words[i].first);
+      out << ")\n";
+    }
+
+    void write_plot(const Picture &picture, std::ostream &out)
+    {
+      std::string separator = "plot ";
+      for (std::size_t i = 0; i < picture.curves.size(); ++i)
+        {
+          const Curve &curve = picture.curves[i];
+          bool         empty = true;
+          for (const auto &point : curve.points)
+            empty = empty && !drawable(picture, point);
+          if (empty) // gnuplot would refuse the whole picture
+            continue;
+          const std::string style = picture.lines && picture.marks ? "linespoints" : picture.lines ? "lines" : "points";
+          out << separator << "$curve" << i << " using 1:2 with " << style << " lc rgb '" << colours[i % colours.size()] << "'";
+          if (picture.lines) // where there are no marks, dashes tell curves apart
+            out << " dt " << 1 + (picture.marks ? i / colours.size() : i) % 5 << " lw 1.5";
+          if (picture.marks)
+            out << " pt " << marks[i % marks.size()] << " ps " << (picture.lines ? "0.9" : "2");
+          out << " title " << quoted(curve.title);
+          separator = ", \\\n     ";
+        }
+      out << "\n";
+    }
+
+    bool has_points(const Picture &picture)
+    {
+      for (const Curve &curve : picture.curves)
+        for (const auto &point : curve.points)
+          if (drawable(picture, point))
+            return true;
+      return false;
+    }
+  } // namespace
+
+  std::string gnuplot_script(const Picture &picture)
+  {
+    std::ostringstream out;
+    write_data(picture, out);
+    out << "set title " << quoted(picture.title) << "\nset xlabel " << quoted(picture.x_label) << "\nset ylabel " << quoted(picture.y_label)
+        << "\nset grid lc rgb '#CCCCCC'\nset key outside right top\n"
+        << (picture.marks ? "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n" : "set autoscale xfix\n");
+    for (const auto &[axis, logarithmic] : {std::pair<const char *, bool>{"x", picture.log_x}, {"y", picture.log_y}})
+      if (logarithmic)
+        out << "set logscale " << axis << "\nset format " << axis << " '%g'\n";
+    write_words("x", picture.x_words, out);
+    write_words("y", picture.y_words, out);
+    out << "set terminal pngcairo noenhanced size 1500,900 font 'Sans,18' linewidth 2\nset output " << quoted(picture.name + ".png")
+        << "\n";
+    write_plot(picture, out);
+    out << "set terminal svg noenhanced size 1000,600 font 'Sans,14' linewidth 1.5 background 'white'\nset output "
+        << quoted(picture.name + ".svg") << "\nreplot\n";
+    return out.str();
+  }
+
+  std::size_t draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder)
+  {
+    std::string script;
+    std::size_t n = 0;
+    for (const Picture &picture : pictures)
+      if (has_points(picture))
+        {
+          const std::string own = gnuplot_script(picture);
+          replace_file(folder / (picture.name + ".gp"), own);
+          script += own + "reset\n";
+          ++n;
+        }
+    // All at once: starting the program takes longer than drawing.
+    const std::filesystem::path all = folder / "pictures.gp", console = folder / "gnuplot.log";
+    replace_file(all, "cd '" + folder.string() + "'\n" + script);
+    Processes processes;
+    processes.start({"/usr/bin/env", "gnuplot", all.string()}, console);
+    std::vector<Ended> ended;
+    while (ended.empty())
+      ended = processes.wait(1);
+    std::ostringstream words;
+    words << std::ifstream(console).rdbuf();
+    std::filesystem::remove(all);
+    std::filesystem::remove(console);
+    if (ended.front().exit_code == 127)
+      throw InputError(InputProblem{"gnuplot", "is not there", "the program that draws the pictures", "./myolines.sh install"});
+    if (ended.front().exit_code != 0)
+      throw std::runtime_error("gnuplot failed: " + words.str());
+    return n;
+  }
+} // namespace myolines::study

@@ -1,0 +1,152 @@
+#include <myolines/base/error.h>
+#include <myolines/study/csv_table.h>
+#include <myolines/study/plot.h>
+#include <myolines/study/results.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace myolines::study
+{
+  namespace
+  {
+    const std::string time_header = "Time [s]";
+
+    struct NamedTable
+    {
+      std::string file;
+      CsvTable    table;
+    };
+
+    /// The series in @p folder, in the order of their names.
+    std::vector<NamedTable> series_in(const std::filesystem::path &folder, const std::string &only)
+    {
+      std::vector<NamedTable> all;
+      for (const auto &entry : std::filesystem::directory_iterator(folder))
+        {
+          const std::string name = entry.path().filename().string();
+          if (entry.path().extension() != ".csv" || (!only.empty() && name != only))
+            continue;
+          const std::optional<CsvTable> table = read_csv(entry.path());
+          if (table && table->header.front() == time_header && !table->rows.empty())
+            all.push_back({name, *table});
+        }
+      std::sort(all.begin(), all.end(), [](const NamedTable &a, const NamedTable &b) { return a.file < b.file; });
+      return all;
+    }
+
+    std::string name_of_file(std::string text)
+    {
+      for (char &c : text)
+        if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.')
+          c = '_';
+      return text;
+    }
+
+    Curve curve_of(const std::string &title, const Series &series)
+    {
+      Curve curve{title, {}};
+      for (std::size_t i = 0; i < series.t.size(); ++i)
+        curve.points.emplace_back(series.t[i], series.x[i]);
+      return curve;
+    }
+
+    Picture empty_series(const std::string &name, const std::string &title, const std::string &y_label)
+    {
+      Picture picture;
+      picture.name    = name_of_file(name);
+      picture.title   = title;
+      picture.x_label = "time [s]";
+      picture.y_label = y_label;
+      picture.marks   = false;
+      return picture;
+    }
+
+    /// Columns of one unit share a picture.
+    std::vector<Picture> pictures_of_table(const NamedTable &named)
+    {
+      std::vector<Picture>     pictures;
+      std::vector<std::string> units;
+      const std::string        stem = std::filesystem::path(named.file).stem().string();
+      for (std::size_t c = 1; c < named.table.header.size(); ++c)
+        {
+          const std::string header = named.table.header[c], unit = unit_in(header);
+          auto              found = std::find(units.begin(), units.end(), unit);
+          if (found == units.end())
+            {
+              units.push_back(unit);
+              pictures.push_back(empty_series(stem + (unit.empty() ? "" : "_" + unit), stem, "[" + (unit.empty() ? "-" : unit) + "]"));
+              found = units.end() - 1;
+            }
+          pictures[found - units.begin()].curves.push_back(curve_of(header, series_of(named.table, header)));
+        }
+      return pictures;
+    }
+
+    /// Shortest names that tell the folders apart: their last parts.
+    std::vector<std::string> titles(const std::vector<std::filesystem::path> &folders)
+    {
+      std::vector<std::string> names;
+      for (const std::filesystem::path &folder : folders)
+        {
+          const std::filesystem::path clean = (folder / "").lexically_normal().parent_path();
+          names.push_back(clean.filename().string());
+        }
+      auto sorted = names;
+      std::sort(sorted.begin(), sorted.end());
+      if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+        std::transform(folders.begin(), folders.end(), names.begin(), [](const auto &folder) { return folder.string(); });
+      return names;
+    }
+
+    void require_run(const std::filesystem::path &folder, const std::string &file)
+    {
+      if (!std::filesystem::is_directory(folder))
+        throw InputError(InputProblem{folder.string(), "there is no such folder", "the output folder of a run or of a study", ""});
+      if (series_in(folder, file).empty())
+        throw InputError(InputProblem{folder.string(), file.empty() ? "there is no time series" : "there is no time series " + file,
+                                      "the output folder of a run, or one study", "studies are plotted one at a time"});
+    }
+  } // namespace
+
+  std::vector<Picture> pictures_of_runs(const std::vector<std::filesystem::path> &folders, const std::string &file)
+  {
+    for (const std::filesystem::path &folder : folders)
+      require_run(folder, file);
+    std::vector<Picture> pictures;
+    if (folders.size() == 1)
+      {
+        for (const NamedTable &named : series_in(folders.front(), file))
+          for (Picture &picture : pictures_of_table(named))
+            pictures.push_back(std::move(picture));
+        return pictures;
+      }
+    const std::vector<std::string> names = titles(folders);
+    for (const NamedTable &first : series_in(folders.front(), file))
+      for (std::size_t c = 1; c < first.table.header.size(); ++c)
+        {
+          const std::string header = first.table.header[c], stem = std::filesystem::path(first.file).stem().string();
+          Picture           picture = empty_series(stem + "_" + header.substr(0, header.find(" [")), stem, header);
+          for (std::size_t r = 0; r < folders.size(); ++r)
+            if (const auto table = read_csv(folders[r] / first.file); table && table->column(header))
+              picture.curves.push_back(curve_of(names[r], series_of(*table, header)));
+          if (picture.curves.size() > 1)
+            pictures.push_back(std::move(picture));
+        }
+    return pictures;
+  }
+
+  void plot_command(const PlotOptions &options, std::ostream &out)
+  {
+    const bool one   = options.folders.size() == 1;
+    const bool study = one && std::filesystem::exists(options.folders.front() / "study.resolved.xml");
+    if (study && !options.file.empty())
+      throw InputError(InputProblem{"--file", "a study has one table", "no such option", "name the folder of a run, in cases/"});
+    const std::vector<Picture> pictures =
+        study ? pictures_of_study(options.folders.front()) : pictures_of_runs(options.folders, options.file);
+    const std::filesystem::path folder = !options.out.empty() ? options.out : one ? options.folders.front() / "pictures" : "pictures";
+    std::filesystem::create_directories(folder);
+    out << draw(pictures, folder) << " pictures, as PNG and SVG, are in " << folder.string()
+        << "; each NAME.gp is what gnuplot draws one from.\n";
+  }
+} // namespace myolines::study

@@ -1,0 +1,196 @@
+#include <myolines/base/error.h>
+#include <myolines/muscle3d/formula.h>
+#include <myolines/output/checkpoint.h>
+#include <myolines/study/csv_table.h>
+#include <myolines/study/results.h>
+#include <myolines/study/runner.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace myolines::study
+{
+  namespace
+  {
+    /// The measures of all cases, each file read once.
+    class Evaluation
+    {
+    public:
+      Evaluation(const std::map<std::string, Outcome> &outcomes, const std::filesystem::path &folder)
+        : outcomes_(outcomes)
+        , folder_(folder)
+      {}
+
+      bool is_done(const std::string &name) const
+      {
+        const auto found = outcomes_.find(name);
+        return found != outcomes_.end() && found->second.status == "done";
+      }
+
+      Measured value(const Quantity &quantity, const Case &which)
+      {
+        switch (quantity.source)
+          {
+          case Quantity::Source::column:
+            return column(quantity, which);
+          case Quantity::Source::state:
+            return state(quantity.key == "displacement" ? "u" : "v", which);
+          case Quantity::Source::count:
+            return of_ledger("counts", quantity.key, which);
+          case Quantity::Source::seconds:
+            return of_ledger("seconds", quantity.key, which);
+          }
+        throw std::logic_error("unknown source of a quantity");
+      }
+
+    private:
+      const std::optional<CsvTable> &table(const std::filesystem::path &file)
+      {
+        const auto found = tables_.find(file);
+        return found != tables_.end() ? found->second : tables_.emplace(file, read_csv(file)).first->second;
+      }
+
+      std::optional<Series> series(const std::filesystem::path &file, const std::string &column, std::string &note)
+      {
+        const std::optional<CsvTable> &csv = table(file);
+        if (!csv)
+          note = file.filename().string() + " is not there";
+        else if (!csv->column(column))
+          note = file.filename().string() + " has no column \"" + column + "\"";
+        else
+          return series_of(*csv, column);
+        return std::nullopt;
+      }
+
+      Measured column(const Quantity &quantity, const Case &which)
+      {
+        std::string                 note;
+        const std::optional<Series> whole = series(case_folder(folder_, which.name) / quantity.file, quantity.column, note);
+        if (!whole)
+          return {{}, note};
+        const Series         part = window(*whole, quantity.from, quantity.until);
+        const MeasureOptions options{quantity.relative, quantity.fraction};
+        if (!quantity.is_error())
+          return measure(quantity.measure, part, nullptr, options);
+        const std::optional<std::vector<double>> reference = reference_values(quantity, which, part.t, note);
+        return reference ? measure(quantity.measure, part, &*reference, options) : Measured{{}, note};
+      }
+
+      std::optional<std::vector<double>> reference_values(const Quantity &quantity, const Case &which, const std::vector<double> &t,
+                                                          std::string &note)
+      {
+        if (quantity.reference_formula)
+          {
+            const VectorFormula formula(std::array<std::string, 3>{{*quantity.reference_formula, "0", "0"}});
+            std::vector<double> values;
+            for (const double instant : t)
+              values.push_back(formula(0, dealii::Point<3>(), instant));
+            return values;
+          }
+        if (!quantity.reference_file && !is_done(which.reference))
+          {
+            note = which.reference.empty() ? "" : "its reference is not done"; // a reference has none
+            return std::nullopt;
+          }
+        const std::filesystem::path file =
+            quantity.reference_file ? *quantity.reference_file : case_folder(folder_, which.reference) / quantity.file;
+        const std::optional<Series> reference = series(file, quantity.column, note);
+        if (!reference)
+          return std::nullopt;
+        const std::optional<std::vector<double>> values = reference_at(*reference, t);
+        if (!values)
+          note = "the reference does not cover its times";
+        return values;
+      }
+
+      Measured state(const std::string &vector, const Case &which)
+      {
+        if (which.reference.empty())
+          return {}; // it is one
+        if (!is_done(which.reference))
+          return {{}, "its reference is not done"};
+        try
+          {
+            const std::vector<double> x = CheckpointReader(checkpoint_file(case_folder(folder_, which.name))).whole(vector);
+            const std::vector<double> r = CheckpointReader(checkpoint_file(case_folder(folder_, which.reference))).whole(vector);
+            if (x.size() != r.size())
+              return {{}, "the reference has another mesh"};
+            double difference = 0, size = 0;
+            for (std::size_t i = 0; i < x.size(); ++i)
+              {
+                difference += (x[i] - r[i]) * (x[i] - r[i]);
+                size += r[i] * r[i];
+              }
+            return size > 0 ? Measured{std::sqrt(difference / size), ""} : Measured{{}, "the reference is zero"};
+          }
+        catch (const InputError &error)
+          {
+            return {{}, error.problems().front().what};
+          }
+      }
+
+      Measured of_ledger(const std::string &part, const std::string &key, const Case &which) const
+      {
+        const auto ledger = nlohmann::json::parse(outcomes_.at(which.name).ledger, nullptr, /*allow_exceptions*/ false);
+        if (!ledger.is_object() || !ledger.contains(part))
+          return {{}, "there is no ledger"};
+        return {ledger[part].value(key, 0.), ""};
+      }
+
+      const std::map<std::string, Outcome>                    &outcomes_;
+      const std::filesystem::path                             &folder_;
+      std::map<std::filesystem::path, std::optional<CsvTable>> tables_;
+    };
+
+    SignalMeasures signal_measures(Evaluation &evaluation, const View &view, const Case &which)
+    {
+      const auto of_signal = [&](const std::string &measure) {
+        Quantity quantity;
+        quantity.file    = view.file;
+        quantity.column  = view.column;
+        quantity.measure = measure;
+        return evaluation.value(quantity, which);
+      };
+      return {of_signal("overshoot"), of_signal("late overshoot"), of_signal("relative variation")};
+    }
+  } // namespace
+
+  std::string stability_class(const View &view, const bool done, const SignalMeasures &signal)
+  {
+    if (!done)
+      return "failed";
+    if (signal.overshoot.note == not_finite)
+      return "diverged";
+    if (!signal.overshoot.value || !signal.late_overshoot.value || !signal.variation.value)
+      return "unknown";
+    if (*signal.late_overshoot.value > view.overshoot)
+      return "diverged";
+    return *signal.overshoot.value > view.overshoot || *signal.variation.value > view.variation ? "oscillating" : "stable";
+  }
+
+  std::vector<Row> evaluate(const Study &study, const std::vector<Case> &cases, const std::map<std::string, Outcome> &outcomes,
+                            const std::filesystem::path &study_folder)
+  {
+    Evaluation       evaluation(outcomes, study_folder);
+    std::vector<Row> rows;
+    for (const Case &which : cases)
+      {
+        Row row;
+        row.which          = &which;
+        row.outcome.name   = which.name;
+        row.outcome.status = "open";
+        if (const auto found = outcomes.find(which.name); found != outcomes.end())
+          row.outcome = found->second;
+        const bool done = row.outcome.status == "done";
+        for (const Quantity &quantity : study.quantities)
+          row.values.push_back(done ? evaluation.value(quantity, which) : Measured{});
+        const bool judged = study.view.kind == Kind::stability_map && which.role == Case::Role::point && row.outcome.status != "open";
+        if (judged)
+          row.stability = stability_class(study.view, done, done ? signal_measures(evaluation, study.view, which) : SignalMeasures{});
+        rows.push_back(std::move(row));
+      }
+    add_rates(study, rows);
+    return rows;
+  }
+} // namespace myolines::study

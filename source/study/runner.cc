@@ -1,0 +1,249 @@
+#include "progress.h"
+
+#include <myolines/base/error.h>
+#include <myolines/base/names.h>
+#include <myolines/output/checkpoint.h>
+#include <myolines/scene/numbers.h>
+#include <myolines/study/processes.h>
+#include <myolines/study/runner.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstring>
+#include <deque>
+#include <sstream>
+
+namespace myolines::study
+{
+  namespace
+  {
+    using Clock = std::chrono::steady_clock;
+
+    constexpr double grace = 20; ///< between the request to end and the end, for a run that saves its state [s]
+
+    double seconds_since(const Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+    std::string text_of(const std::filesystem::path &file)
+    {
+      std::ostringstream text;
+      if (std::ifstream stream(file, std::ios::binary); stream)
+        text << stream.rdbuf();
+      return text.str();
+    }
+
+    std::string on_one_line(const std::string &text)
+    {
+      std::istringstream       lines(text);
+      std::vector<std::string> parts;
+      for (std::string line; std::getline(lines, line);)
+        if (line = scene::trimmed(line); !line.empty())
+          parts.push_back(line);
+      return join(parts, "; ");
+    }
+
+    /// What the manifest says of a run that failed.
+    std::string exit_reason(const std::string &manifest)
+    {
+      const auto json = nlohmann::json::parse(manifest, nullptr, /*allow_exceptions*/ false);
+      return json.is_object() ? json.value("exit reason", "") : "";
+    }
+
+    struct Job
+    {
+      const Case       *which;
+      std::string       scene, command;
+      Clock::time_point begin;
+      bool              resumed = false, timed_out = false, killed = false;
+    };
+
+    class Runner
+    {
+    public:
+      Runner(const Study &study, Database &database, const RunnerOptions &options)
+        : study_(study)
+        , database_(database)
+        , options_(options)
+        , begin_(Clock::now())
+      {}
+
+      RunnerReport run(const std::vector<Case> &cases)
+      {
+        find_open(cases);
+        RunnerReport report;
+        report.n_known = cases.size() - open_.size();
+        Progress progress(options_.folder, cases.size(), report.n_known, options_.jobs, options_.terminal);
+        while (!open_.empty() || !running_.empty())
+          {
+            report.why_open = why_stop();
+            if (!report.why_open.empty())
+              break;
+            while (running_.size() < options_.jobs && !open_.empty())
+              start();
+            for (const Ended &end : processes_.wait(wait_at_most()))
+              {
+                const Outcome outcome = close(end);
+                database_.store({outcome});
+                progress.ended(outcome.name, outcome.status + (outcome.reason.empty() ? "" : ": " + outcome.reason), outcome.wall_seconds);
+                ++report.n_run;
+              }
+            end_late_ones();
+          }
+        report.n_open = open_.size() + running_.size();
+        if (!report.why_open.empty())
+          progress.say("stopped: " + report.why_open + "; " + std::to_string(report.n_open) + " cases are open");
+        stop_running();
+        progress.close();
+        return report;
+      }
+
+    private:
+      /// Resolves all scenes before the first run: a misspelt axis is told at once.
+      void find_open(const std::vector<Case> &cases)
+      {
+        const std::map<std::string, Outcome> known = database_.outcomes();
+        for (const Case &each : cases)
+          {
+            const std::string scene = options_.resolve(each.settings);
+            const auto        found = known.find(each.name);
+            const bool        ended = found != known.end() && found->second.scene == scene &&
+                               std::filesystem::exists(case_folder(options_.folder, each.name)) &&
+                               !(options_.retry && found->second.status != "done");
+            if (!ended)
+              open_.push_back({&each, scene, "", {}});
+          }
+      }
+
+      std::string why_stop() const
+      {
+        if (const int signal = options_.stop_signal(); signal != 0)
+          return "signal " + std::to_string(signal);
+        if (seconds_since(begin_) > study_.total_seconds)
+          return "the total budget of " + scene::format_number(study_.total_seconds) + " s is spent";
+        return "";
+      }
+
+      void start()
+      {
+        Job job = open_.front();
+        open_.pop_front();
+        const std::filesystem::path folder = case_folder(options_.folder, job.which->name);
+        job.resumed =
+            study_.resumes && std::filesystem::exists(checkpoint_file(folder)) && text_of(folder / "scene.resolved.xml") == job.scene;
+        if (!job.resumed)
+          std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+
+        std::vector<std::string> command{options_.program.string(), "run", study_.scene.string()};
+        for (const std::string &setting : job.which->settings)
+          command.insert(command.end(), {"--set", setting});
+        command.insert(command.end(), {"--out", folder.string(), "--quiet"});
+        if (job.resumed)
+          command.push_back("--resume");
+        job.command = shell_text(command);
+        job.begin   = Clock::now();
+        running_.emplace(processes_.start(command, folder / "console.txt"), job);
+      }
+
+      Outcome close(const Ended &end)
+      {
+        const Job                   job    = running_.extract(end.process).mapped();
+        const std::filesystem::path folder = case_folder(options_.folder, job.which->name);
+        Outcome                     outcome;
+        outcome.name         = job.which->name;
+        outcome.scene        = job.scene;
+        outcome.command      = job.command;
+        outcome.manifest     = text_of(folder / "manifest.json");
+        outcome.ledger       = text_of(folder / "ledger.json");
+        outcome.wall_seconds = seconds_since(job.begin);
+        if (!job.resumed)
+          outcome.cpu_seconds = end.cpu_seconds;
+        tell_status(end, job, text_of(folder / "console.txt"), outcome);
+        return outcome;
+      }
+
+      void tell_status(const Ended &end, const Job &job, const std::string &console, Outcome &outcome) const
+      {
+        if (end.exit_code == static_cast<int>(ExitCode::done))
+          outcome.status = "done";
+        else if (job.timed_out)
+          {
+            outcome.status = "timed out";
+            outcome.reason = "not done after " + scene::format_number(study_.case_seconds) + " s";
+          }
+        else if (end.exit_code == static_cast<int>(ExitCode::solve_failed))
+          {
+            outcome.status = "failed";
+            outcome.reason = on_one_line(exit_reason(outcome.manifest));
+          }
+        else if (end.exit_code == static_cast<int>(ExitCode::invalid_input))
+          {
+            outcome.status = "refused";
+            outcome.reason = on_one_line(console);
+          }
+        else
+          {
+            outcome.status = "crashed";
+            outcome.reason =
+                end.signal != 0 ? "signal " + std::to_string(end.signal) + " (" + strsignal(end.signal) + ")" : on_one_line(console);
+          }
+      }
+
+      void end_late_ones()
+      {
+        for (auto &[process, job] : running_)
+          if (const double seconds = seconds_since(job.begin); seconds > study_.case_seconds)
+            {
+              if (!job.timed_out)
+                processes_.send(process, SIGTERM);
+              else if (!job.killed && seconds > study_.case_seconds + grace)
+                {
+                  processes_.send(process, SIGKILL);
+                  job.killed = true;
+                }
+              job.timed_out = true;
+            }
+      }
+
+      /// Until the next time-out, but looking at signals twice a second.
+      double wait_at_most() const
+      {
+        double seconds = 0.5;
+        for (const auto &[process, job] : running_)
+          if (!job.timed_out)
+            seconds = std::min(seconds, std::max(0.001, study_.case_seconds - seconds_since(job.begin)));
+        return seconds;
+      }
+
+      /// Runs that may be resumed get the time to save their state; the others are begun anew anyway.
+      void stop_running()
+      {
+        if (!study_.resumes)
+          return;
+        for (const auto &[process, job] : running_)
+          processes_.send(process, SIGTERM);
+        for (const Clock::time_point begin = Clock::now(); !running_.empty() && seconds_since(begin) < grace;)
+          for (const Ended &end : processes_.wait(0.5))
+            running_.erase(end.process);
+      }
+
+      const Study         &study_;
+      Database            &database_;
+      const RunnerOptions &options_;
+      Clock::time_point    begin_;
+      std::deque<Job>      open_;
+      Processes            processes_;
+      std::map<pid_t, Job> running_;
+    };
+  } // namespace
+
+  std::filesystem::path case_folder(const std::filesystem::path &study_folder, const std::string &case_name)
+  {
+    return study_folder / "cases" / case_name;
+  }
+
+  RunnerReport run_cases(const Study &study, const std::vector<Case> &cases, Database &database, const RunnerOptions &options)
+  {
+    return Runner(study, database, options).run(cases);
+  }
+} // namespace myolines::study

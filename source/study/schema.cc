@@ -1,0 +1,104 @@
+#include "axis.h"
+
+#include <myolines/study/measures.h>
+#include <myolines/study/study.h>
+
+namespace myolines::study
+{
+  namespace
+  {
+    using scene::Range;
+    using scene::Schema;
+
+    Schema reference_schema(const std::string &doc)
+    {
+      Schema schema(doc);
+      schema
+          .text("settings", std::nullopt,
+                "Parameters of the run, \"time/step=1e-4 | solver/nonlinear/relative tolerance=1e-12\"; they come after all others.")
+          .text("instead of", "", "Axes that it does without, \"method | step\": one such run for every point of the remaining axes.");
+      return schema;
+    }
+
+    Schema column_schema()
+    {
+      Schema schema("From a column of a time series.");
+      schema.text("file", std::nullopt, "CSV file of the case's folder, \"reaction.csv\"; its first column is the time.")
+          .text("column", std::nullopt, "Header of the column, with its unit.")
+          .choice("measure", std::nullopt, measure_names(), "What is made of the column; doc/studies.md has the formulas.")
+          .boolean("relative", false, "Errors are divided by the largest absolute value of the reference.")
+          .number("fraction", 0.05, "-", {0, 1, true, true}, "Of the largest deviation, below which the decay time finds it decayed.")
+          .optional_number("from", "s", Range::any(), "Rows before are left out.")
+          .optional_number("until", "s", Range::any(), "Rows after are left out.")
+          .optional_file("reference file", "CSV file with the time in its first column and the column, instead of a reference run.")
+          .optional_text("reference formula", "Closed form of the column in t [s], \"cos(t)\", instead of a reference run.");
+      return schema;
+    }
+
+    Schema quantity_schema()
+    {
+      Schema state("Relative l2 difference of all unknowns at the end from those of the reference run, on the same mesh.");
+      state.choice("of", "displacement", {"displacement", "velocity"}, "Which.");
+      Schema count("A count of work, from ledger.json.");
+      count.text("name", std::nullopt, "As the ledger calls it, \"newton iterations\"; one that never occurred is 0.");
+      Schema seconds("Seconds of a phase, from ledger.json; they stand in seconds.csv.");
+      seconds.text("name", std::nullopt, "As the ledger calls it, \"residual\".");
+      return Schema("A number that every case is asked for.")
+          .variant("type", "column", {{"column", column_schema()}, {"state", state}, {"count", count}, {"seconds", seconds}},
+                   "Where it comes from.");
+    }
+
+    std::vector<std::pair<std::string, Schema>> kinds()
+    {
+      Schema sweep("Quantities over parameters.");
+      sweep.text("curves", "", "Axis whose points are curves of the pictures.")
+          .text("abscissa", "", "Axis along which the curves go; the first with numbers if empty.");
+      Schema work_precision("What an error costs: one curve for each method.");
+      work_precision
+          .text("curves", std::nullopt, "Axis whose points are the methods; there is one other, along which they become more accurate.")
+          .text("precision", std::nullopt, "Quantity that is the error.")
+          .text("work", "CPU seconds", "Quantity that is the cost, or \"CPU seconds\" of the process.")
+          .optional_number("target", "", Range::positive(),
+                           "Error at which equal_error.csv compares the costs, interpolated within each curve.");
+      Schema convergence("Errors and their observed rates over the size of the steps or of the cells.");
+      convergence.text("curves", "", "Axis whose points are the methods.")
+          .text("sizes", std::nullopt, "Axis with the sizes: of steps, or of cells as names of groups.");
+      Schema map("Every case is classed: stable, oscillating, diverged, failed; doc/studies.md has the rules.");
+      map.text("abscissa", std::nullopt, "Axis of the map.")
+          .text("ordinate", std::nullopt, "Axis of the map; every point of the others gives a map of its own.")
+          .text("file", std::nullopt, "CSV file of the signal that is judged beside that of the reference.")
+          .text("column", std::nullopt, "Header of its column.")
+          .number("overshoot limit", 1, "", Range::positive(),
+                  "Above, in the last quarter of the time: diverged; before: oscillating. Over the range of the reference.")
+          .number("variation limit", 1.5, "", {1, 1e300, true, false},
+                  "Total variation above which it is oscillating, over that of the reference at the same times.");
+      return {{"sweep", sweep}, {"work-precision", work_precision}, {"convergence", convergence}, {"stability map", map}};
+    }
+  } // namespace
+
+  Schema study_schema()
+  {
+    Schema grids("Sets of axes; the study computes the points of all.");
+    grids.named_sections(Schema("A set of axes, each crossed with the others.").named_sections(axis_schema()));
+    Schema quantities("Columns of the table, beside class and rates.");
+    quantities.named_sections(quantity_schema());
+    Schema budget("When to stop.");
+    budget.number("case", 3600, "s", Range::positive(), "Wall-clock time after which a case is ended; its row says so.")
+        .number("total", 604800, "s", Range::positive(), "Wall-clock time after which the study ends; run again, it goes on.");
+
+    Schema root("Many runs of one scene, what is measured of them, and how it is shown.");
+    root.text("title", "", "What this study is about.")
+        .file("scene", "Scene that all cases start from, relative to the study.")
+        .text("settings", "", "Parameters for all cases and references, \"time/end=1 | solver/nonlinear/relative tolerance=1e-12\".")
+        .choice("interrupted cases", "restart", {"restart", "resume"},
+                "Begin anew, so that counts and seconds are those of one run, or go on from their checkpoints.")
+        .variant("kind", "sweep", kinds(), "What is to be seen.")
+        .section("grids", grids)
+        .optional_section("reference", reference_schema("Finer runs that cases are measured against; computed first."))
+        .optional_section("cross check",
+                          reference_schema("Runs by another method, measured against the reference: how far it can be trusted."))
+        .section("quantities", quantities)
+        .section("budget", budget);
+    return root;
+  }
+} // namespace myolines::study

@@ -1,0 +1,100 @@
+#include "study_files.h"
+
+#include <myolines/base/error.h>
+#include <myolines/study/plot.h>
+
+#include <gtest/gtest.h>
+
+using namespace myolines;
+using namespace myolines::study;
+using namespace myolines::testing;
+
+namespace
+{
+  const std::string column =
+      section("error in u", parameter("file", "trajectory.csv") + parameter("column", "Displacement [m]") + parameter("measure", "final"));
+} // namespace
+
+/// Units stand on the axes, quotes do no harm, and what a logarithm cannot show is left out.
+TEST(Pictures, ScriptHoldsDataAndUnits)
+{
+  Picture picture;
+  picture.name    = "a";
+  picture.title   = "it's";
+  picture.x_label = "step [s]";
+  picture.y_label = "error [m]";
+  picture.log_x = picture.log_y = true;
+  picture.curves                = {{"be", {{0.1, 1e-3}, {0.05, 0}, {0.025, 2.5e-4}}}, {"none", {}}};
+  const std::string script      = gnuplot_script(picture);
+  EXPECT_NE(script.find("set title 'it''s'"), std::string::npos);
+  EXPECT_NE(script.find("set xlabel 'step [s]'"), std::string::npos);
+  EXPECT_NE(script.find("0.1 0.001\n0.025 0.00025\nEOD"), std::string::npos) << script;
+  EXPECT_EQ(script.find("title 'none'"), std::string::npos);
+  EXPECT_NE(script.find("set logscale y"), std::string::npos);
+}
+
+TEST(Pictures, ColumnsOfOneUnitShareOneAndRunsAreCompared)
+{
+  const TestFolder folder;
+  for (const char *run : {"a", "b"})
+    {
+      std::filesystem::create_directory(folder / run);
+      folder.write(std::string(run) + "/r.csv", "Time [s],x [N],y [N],V [m^3]\n0,1,2,3\n1,4,5,6\n");
+      folder.write(std::string(run) + "/steps.csv", "step,t [s]\n1,0\n");
+    }
+  const auto one = pictures_of_runs({folder / "a"}, "");
+  ASSERT_EQ(one.size(), 2u);
+  EXPECT_EQ(one[0].y_label, "[N]");
+  ASSERT_EQ(one[0].curves.size(), 2u);
+  EXPECT_EQ(one[0].curves[1].points[1], (std::pair<double, double>(1, 5)));
+  const auto both = pictures_of_runs({folder / "a", folder / "b"}, "r.csv");
+  ASSERT_EQ(both.size(), 3u);
+  EXPECT_EQ(both[2].y_label, "V [m^3]");
+  EXPECT_EQ(both[2].curves[1].title, "b");
+  EXPECT_THROW(pictures_of_runs({folder / "c"}, ""), InputError);
+}
+
+TEST(Pictures, MapsHaveOneForEachPointOfTheOtherAxes)
+{
+  const StudyFolder folder;
+  const std::string axes = groups("method", {{"be", "integrator/type=backward euler"}, {"nm", "integrator/type=newmark"}}) +
+                           listed("step", "time/step", "0.1 | 0.05", parameter("unit", "s")) + listed("mass", "system/mass", "1 | 2");
+  const auto file = folder.write_study(
+      grid("all", axes), parameter("kind", "stability map") + parameter("abscissa", "step") + parameter("ordinate", "method") +
+                             parameter("file", "trajectory.csv") + parameter("column", "Displacement [m]") +
+                             section("reference", parameter("settings", "time/step=0.01") + parameter("instead of", "method | step")));
+  std::filesystem::copy(file, folder / "study.resolved.xml");
+  folder.write(
+      "study.csv",
+      "case,role,method,step [s],mass,status,reason,class,notes\n"
+      "a,case,be,0.1,1,done,,stable,\nb,case,nm,0.1,1,failed,no,failed,\nc,case,nm,0.05,2,done,,oscillating,\nd,case,be,0.05,2,open,,,\n"
+      "r,reference,,,1,done,,,\n");
+  folder.write("seconds.csv", "case,CPU [s],wall clock [s]\na,1,1\nb,1,1\nc,1,1\nr,1,1\n");
+  const auto maps = pictures_of_study(folder.path());
+  ASSERT_EQ(maps.size(), 2u);
+  EXPECT_EQ(maps[0].x_label, "step [s]");
+  ASSERT_EQ(maps[0].y_words.size(), 2u);
+  const auto &stable = maps[0].curves[0], &failed = maps[0].curves[3];
+  EXPECT_EQ(stable.title, "stable");
+  EXPECT_EQ(stable.points, (std::vector<std::pair<double, double>>{{0.1, 0}}));
+  EXPECT_EQ(failed.points, (std::vector<std::pair<double, double>>{{0.1, 1}}));
+  EXPECT_EQ(maps[1].curves[1].points, (std::vector<std::pair<double, double>>{{0.05, 1}}));
+}
+
+/// The pictures of a sweep are along the first axis with numbers, a curve for each method.
+TEST(Pictures, SweepsHaveACurveForEachMethod)
+{
+  const StudyFolder folder;
+  const std::string axes = groups("method", {{"be", "integrator/type=backward euler"}, {"nm", "integrator/type=newmark"}}) +
+                           listed("step", "time/step", "0.1 | 0.05");
+  std::filesystem::copy(folder.write_study(grid("all", axes), section("quantities", column)), folder / "study.resolved.xml");
+  folder.write("study.csv", "case,role,method,step,status,reason,error in u "
+                            "[m],notes\na,case,be,0.1,done,,4,\nb,case,be,0.05,done,,2,\nc,case,nm,0.1,done,,1,\n");
+  folder.write("seconds.csv", "case,CPU [s],wall clock [s]\na,1,1\nb,1,1\nc,1,1\n");
+  const auto pictures = pictures_of_study(folder.path());
+  ASSERT_EQ(pictures.size(), 1u);
+  EXPECT_EQ(pictures[0].y_label, "error in u [m]");
+  ASSERT_EQ(pictures[0].curves.size(), 2u);
+  EXPECT_EQ(pictures[0].curves[0].title, "be");
+  EXPECT_EQ(pictures[0].curves[0].points, (std::vector<std::pair<double, double>>{{0.05, 2}, {0.1, 4}}));
+}

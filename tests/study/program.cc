@@ -1,0 +1,164 @@
+#include "study_files.h"
+
+#include <myolines/study/csv_table.h>
+#include <myolines/study/processes.h>
+
+#include <gtest/gtest.h>
+
+using namespace myolines::study;
+using namespace myolines::testing;
+
+// The command `study` of the program itself, on oscillations that take milliseconds.
+
+namespace
+{
+  const std::string methods = groups("method", {{"be", "integrator/type=backward euler"}, {"nm", "integrator/type=newmark"}});
+  const std::string steps   = listed("step", "time/step", "0.1 | 0.05 | 0.025");
+  const std::string error   = section("quantities", error_against_cosine());
+
+  std::size_t count(const std::string &text, const std::string &what)
+  {
+    std::size_t n = 0;
+    for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+      ++n;
+    return n;
+  }
+
+  /// Starts the study in the folder `killed` and ends it with @p signal when @p n cases are in its log. Its exit code, -1 if killed.
+  int interrupt(const StudyFolder &folder, const std::size_t n, const int signal)
+  {
+    Processes   processes;
+    const pid_t driver =
+        processes.start({MYOLINES_PROGRAM, "study", (folder / "study.xml").string(), "--out", (folder / "killed").string(), "--jobs", "2"},
+                        folder / "console");
+    std::vector<Ended> ended;
+    while (ended.empty() && count(contents(folder / "killed/study.log"), "  done  ") < n)
+      ended = processes.wait(0.005);
+    if (ended.empty())
+      processes.send(driver, signal);
+    while (ended.empty())
+      ended = processes.wait(1);
+    return ended.front().exit_code;
+  }
+} // namespace
+
+/// Backward Euler is of first order and the trapezoidal rule of second: the study finds the rates.
+TEST(StudyProgram, MeasuresRatesInTime)
+{
+  const StudyFolder folder;
+  folder.write_study(grid("all", methods + steps),
+                     parameter("kind", "convergence") + parameter("curves", "method") + parameter("sizes", "step") + error);
+  const ::Outcome outcome = run_program(folder, "study study.xml --out out --jobs 2");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("6 cases: 6 done"), std::string::npos) << outcome.out;
+  const auto table = read_csv(folder / "out/study.csv");
+  ASSERT_TRUE(table.has_value());
+  const auto rate = table->column("rate of error in u");
+  ASSERT_TRUE(rate.has_value());
+  EXPECT_NEAR(std::stod(table->rows[2][*rate]), 1, 0.05);
+  EXPECT_NEAR(std::stod(table->rows[5][*rate]), 2, 0.05);
+
+  EXPECT_EQ(run_program(folder, "plot out").out.substr(0, 11), "1 pictures,");
+  for (const char *name : {"png", "svg", "gp"})
+    EXPECT_GT(std::filesystem::file_size(folder / ("out/pictures/error_in_u_over_step." + std::string(name))), 300u) << name;
+}
+
+/// Killed three times, once gently: the table is that of a study left alone, and no case was done twice.
+TEST(StudyProgram, KilledAndRunAgainGivesTheSameTable)
+{
+  const StudyFolder folder;
+  folder.write_study(grid("all", methods + listed("step", "time/step", "0.1 | 0.05 | 0.025")), error);
+  EXPECT_EQ(interrupt(folder, 1, SIGKILL), -1);
+  EXPECT_EQ(interrupt(folder, 2, SIGTERM), 3);
+  EXPECT_EQ(interrupt(folder, 4, SIGKILL), -1);
+  ASSERT_EQ(run_program(folder, "study study.xml --out killed").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "study study.xml --out alone").exit_code, 0);
+  EXPECT_EQ(contents(folder / "killed/study.csv"), contents(folder / "alone/study.csv"));
+  EXPECT_EQ(count(contents(folder / "alone/study.csv"), ",done,"), 6u);
+  EXPECT_EQ(count(contents(folder / "killed/study.log"), "  done  "), 6u);
+  EXPECT_LE(count(contents(folder / "killed/study.log"), "6 cases, 0 of them known"), 1u);
+}
+
+TEST(StudyProgram, PartsAreTakenTogether)
+{
+  const StudyFolder folder;
+  folder.write_study(grid("all", steps), error);
+  ASSERT_EQ(run_program(folder, "study study.xml --out parts --emit slurm --tasks 2").exit_code, 0);
+  for (const char *task : {"1", "2"})
+    ASSERT_EQ(
+        std::system(("SLURM_ARRAY_TASK_ID=" + std::string(task) + " bash '" + (folder / "parts/study.slurm.sh").string() + "'").c_str()),
+        0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "parts/study.csv"));
+  ASSERT_EQ(std::system(("bash '" + (folder / "parts/study.slurm.sh").string() + "' collect > /dev/null").c_str()), 0);
+  EXPECT_NE(contents(folder / "parts/study.log").find("3 cases, 3 of them known"), std::string::npos);
+  ASSERT_EQ(run_program(folder, "study study.xml --out whole").exit_code, 0);
+  EXPECT_EQ(contents(folder / "parts/study.csv"), contents(folder / "whole/study.csv"));
+  EXPECT_EQ(run_program(folder, "study study.xml --out parts --part 3/2").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "study study.xml --out parts --part 1/2 --emit slurm").exit_code, 2);
+}
+
+TEST(StudyProgram, RanksOfOneJobAreTakenTogether)
+{
+  const StudyFolder folder;
+  folder.write_study(grid("all", steps), error);
+  ASSERT_EQ(run_program(folder, "study study.xml --out ranks --emit mpi --tasks 2").exit_code, 0);
+  // not through a shell of this process, whose MPI library has set variables that mpirun would heed
+  Processes processes;
+  processes.start({"/usr/bin/env", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "OMPI_MCA_rmaps_base_oversubscribe=1",
+                   "bash", (folder / "ranks/study.mpi.sh").string()},
+                  folder / "console");
+  std::vector<Ended> ended;
+  while (ended.empty())
+    ended = processes.wait(1);
+  ASSERT_EQ(ended.front().exit_code, 0) << contents(folder / "console");
+  const std::string log = contents(folder / "ranks/study.log");
+  EXPECT_NE(log.find("2 cases, 0 of them known"), std::string::npos) << log;
+  EXPECT_NE(log.find("3 cases, 3 of them known"), std::string::npos) << log;
+  EXPECT_EQ(read_csv(folder / "ranks/study.csv")->rows.size(), 3u);
+}
+
+/// A finer run as reference and another method beside it: their difference is told.
+TEST(StudyProgram, ReferenceIsCrossChecked)
+{
+  const StudyFolder folder;
+  const std::string of_state = section("quantities", section("state", parameter("type", "state")));
+  folder.write_study(
+      grid("all", steps),
+      section("reference", parameter("settings", "integrator/type=sdirk3 | time/step=0.0125") + parameter("instead of", "step")) +
+          section("cross check", parameter("settings", "integrator/type=sdirk2 | time/step=0.0125") + parameter("instead of", "step")) +
+          of_state);
+  const ::Outcome outcome = run_program(folder, "study study.xml --out out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Reference and cross check differ: state = "), std::string::npos) << outcome.out;
+  const auto table = read_csv(folder / "out/study.csv");
+  const auto state = table->column("state");
+  EXPECT_EQ(table->rows[0][*state], "");
+  EXPECT_LT(std::stod(table->rows[1][*state]), 1e-4);
+  // backward Euler damps cos(1) by exp(-h/2)
+  EXPECT_NEAR(std::stod(table->rows[4][*state]) / std::stod(table->rows[3][*state]), 0.5, 0.03);
+}
+
+TEST(StudyProgram, StudiesThatComeAlongAreValid)
+{
+  const TestFolder folder;
+  std::size_t      n = 0;
+  for (const auto &entry : std::filesystem::directory_iterator(MYOLINES_SOURCE_DIR "/input/studies"))
+    {
+      const ::Outcome outcome = run_program(folder, "study '" + entry.path().string() + "' --list");
+      EXPECT_EQ(outcome.exit_code, 0) << entry.path() << "\n" << outcome.err;
+      n += count(outcome.out, "\n  run ");
+    }
+  EXPECT_GT(n, 200u);
+}
+
+TEST(StudyProgram, BadInputIsToldBeforeAnythingRuns)
+{
+  const StudyFolder folder;
+  folder.write_study(grid("all", listed("step", "time/stp", "0.1 | 0.05")), error);
+  const ::Outcome outcome = run_program(folder, "study study.xml --out out");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("\"step\""), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/cases"));
+  EXPECT_EQ(run_program(folder, "plot out").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "study scene.xml").exit_code, 2);
+}

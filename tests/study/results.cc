@@ -1,0 +1,144 @@
+#include "study_files.h"
+
+#include <myolines/study/csv_table.h>
+#include <myolines/study/results.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace myolines;
+using namespace myolines::study;
+using namespace myolines::testing;
+
+namespace
+{
+  const std::string methods = groups("method", {{"be", "integrator/type=backward euler"}, {"nm", "integrator/type=newmark"}});
+  const std::string steps   = listed("step", "time/step", "0.1 | 0.05 | 0.025");
+  const std::string error =
+      section("quantities", error_against_cosine() + section("solves", parameter("type", "count") + parameter("name", "linear solves")));
+
+  /// Rows of the cases in order, all done, with the values given: error and work.
+  std::vector<Row> rows_with(const std::vector<Case> &cases, const std::vector<std::pair<double, double>> &values)
+  {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      {
+        Row row;
+        row.which          = &cases[i];
+        row.outcome.name   = cases[i].name;
+        row.outcome.status = "done";
+        row.values         = {{values[i].first, ""}, {values[i].second, ""}};
+        rows.push_back(row);
+      }
+    return rows;
+  }
+} // namespace
+
+/// Errors c h^p have the rate p, within each method.
+TEST(Results, RatesOfPowersAreTheirExponents)
+{
+  const StudyFolder folder;
+  const Study study = folder.study(grid("all", steps + methods), parameter("kind", "convergence") + parameter("sizes", "step") + error);
+  const auto  cases = expand(study);
+  ASSERT_EQ(cases[1].name, "step=0.1,method=nm");
+  std::vector<std::pair<double, double>> values;
+  for (const double h : {0.1, 0.05, 0.025})
+    values.insert(values.end(), {{3 * h, 1}, {0.5 * h * h, 1}});
+  std::vector<Row> rows = rows_with(cases, values);
+  add_rates(study, rows);
+  EXPECT_FALSE(rows[0].rates[0].value.has_value());
+  EXPECT_FALSE(rows[1].rates[0].value.has_value());
+  for (const std::size_t i : {2, 4})
+    {
+      EXPECT_NEAR(rows[i].rates[0].value.value(), 1, 1e-13);
+      EXPECT_NEAR(rows[i + 1].rates[0].value.value(), 2, 1e-13);
+      EXPECT_FALSE(rows[i].rates[1].value.has_value()); // a count is no error
+    }
+}
+
+/// In time and space at once: an axis that is zipped with that of the sizes goes along with it.
+TEST(Results, RatesAlongZippedAxes)
+{
+  const StudyFolder folder;
+  const Study       study =
+      folder.study(grid("all", steps + listed("mass", "system/mass", "3 | 2 | 1", parameter("zipped with", "step")) + methods),
+                   parameter("kind", "convergence") + parameter("sizes", "step") + error);
+  const auto       cases = expand(study);
+  std::vector<Row> rows  = rows_with(cases, {{8, 1}, {9, 1}, {4, 1}, {3, 1}, {2, 1}, {1, 1}});
+  add_rates(study, rows);
+  EXPECT_DOUBLE_EQ(rows[2].rates[0].value.value(), 1);
+  EXPECT_DOUBLE_EQ(rows[5].rates[0].value.value(), std::log(3.) / std::log(2.));
+}
+
+/// Work w at error 1/w and 1/w^2: the target 1e-2 costs 100 and 10.
+TEST(Results, EqualErrorInterpolatesInLogarithms)
+{
+  const StudyFolder folder;
+  const Study       study = folder.study(grid("all", methods + steps), parameter("kind", "work-precision") + parameter("curves", "method") +
+                                                                           parameter("precision", "error in u") + parameter("work", "solves") +
+                                                                           parameter("target", "1e-2", "double") + error);
+  const auto        cases = expand(study);
+  const auto        costs =
+      equal_error(study, rows_with(cases, {{1. / 30, 30}, {1. / 70, 70}, {1. / 300, 300}, {1. / 16, 4}, {1. / 49, 7}, {1. / 400, 20}}));
+  ASSERT_EQ(costs.size(), 2u);
+  EXPECT_NEAR(costs[0].work.value.value(), 100, 1e-10);
+  EXPECT_NEAR(costs[1].work.value.value(), 10, 1e-10);
+  EXPECT_NEAR(costs[0].ratio.value.value(), 10, 1e-10);
+  const auto short_of = equal_error(study, rows_with(cases, {{1, 30}, {0.5, 70}, {0.2, 300}, {1. / 16, 4}, {1. / 49, 7}, {1. / 400, 20}}));
+  EXPECT_FALSE(short_of[0].work.value.has_value()); // never extrapolated
+}
+
+TEST(Results, ClassesFollowTheRules)
+{
+  study::View view;
+  view.overshoot      = 1;
+  view.variation      = 1.5;
+  const auto class_of = [&view](const double overshoot, const double late, const double variation) {
+    return stability_class(view, true, {{overshoot, ""}, {late, ""}, {variation, ""}});
+  };
+  EXPECT_EQ(stability_class(view, false, {}), "failed");
+  EXPECT_EQ(stability_class(view, true, {{{}, not_finite}, {}, {}}), "diverged");
+  EXPECT_EQ(class_of(1.1, 1.1, 9), "diverged");
+  EXPECT_EQ(class_of(1.1, 0.9, 1), "oscillating");
+  EXPECT_EQ(class_of(0.9, 0.9, 1.6), "oscillating");
+  EXPECT_EQ(class_of(0.9, 0.9, 1.4), "stable");
+  EXPECT_EQ(stability_class(view, true, {{{}, "its reference is not done"}, {}, {}}), "unknown");
+}
+
+TEST(Results, HeadersCarryUnits)
+{
+  Quantity quantity;
+  quantity.name    = "force";
+  quantity.column  = "moving end x [N]";
+  quantity.measure = "final";
+  EXPECT_EQ(header_of(quantity), "force [N]");
+  quantity.measure = "decay time";
+  EXPECT_EQ(header_of(quantity), "force [s]");
+  for (const char *ratio : {"overshoot", "late overshoot", "relative variation", "growth"})
+    {
+      quantity.measure = ratio;
+      EXPECT_EQ(header_of(quantity), "force");
+    }
+  EXPECT_EQ(unit_in("no unit"), "");
+}
+
+/// A case that failed keeps its row, with the reason, and no numbers; one that has not run is open.
+TEST(Results, TablesKeepFailures)
+{
+  const StudyFolder        folder;
+  const Study              study = folder.study(grid("all", listed("step", "time/step", "0.1 | 0.05")), error);
+  const auto               cases = expand(study);
+  myolines::study::Outcome failed;
+  failed.name   = cases[0].name;
+  failed.status = "failed";
+  failed.reason = "no, \"really\"";
+  Database               database(folder / "study.sqlite");
+  const std::vector<Row> rows = evaluate(study, cases, {{failed.name, failed}}, folder.path());
+  write_tables(study, rows, folder.path(), database);
+  const auto table = read_csv(folder / "study.csv");
+  ASSERT_TRUE(table.has_value());
+  EXPECT_EQ(table->rows[0], (std::vector<std::string>{"step=0.1", "case", "0.1", "failed", "no, \"really\"", "", "", ""}));
+  EXPECT_EQ(table->rows[1], (std::vector<std::string>{"step=0.05", "case", "0.05", "open", "", "", "", ""}));
+  EXPECT_EQ(read_csv(folder / "seconds.csv")->rows.size(), 1u);
+}
