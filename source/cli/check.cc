@@ -71,8 +71,9 @@ namespace myolines
       if (!planned)
         {
           out << "Steps: chosen by error from " << experiment.settings().start << " s to " << experiment.settings().end << " s, "
-              << (experiment.method().error_exponent != 0 ? "estimated by the method"
-                                                          : "estimated by taking every step whole and in halves")
+              << (experiment.paces_itself()                 ? "by the method itself"
+                  : experiment.method().error_exponent != 0 ? "estimated by the method"
+                                                            : "estimated by taking every step whole and in halves")
               << "\n";
           return;
         }

@@ -111,6 +111,14 @@ namespace myolines
     std::vector<std::string> warnings = assembled_.warnings;
     const bool of_scheme = boundary_rates(scene_.section("time")) == BoundaryRates::scheme && settings_.events != Events::restart;
     const bool iterates  = method_.facts.solves == MethodFacts::Solves::nonlinear_equations;
+    if (self_paced_)
+      {
+        if (!error_norm_->looks_at_velocity())
+          warnings.push_back(
+              "velocities are not looked at, and \"" + method_.facts.name +
+              "\" damps little of what it does not look at: forces may ring. A list \"time/control/velocity\" looks at them");
+        return warnings;
+      }
     if (!assembled_.system->capabilities().rates || !method_.facts.second_order_only || !iterates || of_scheme)
       return warnings;
     if (const std::optional<double> t = first_velocity_jump())

@@ -28,31 +28,30 @@ namespace myolines
           [this](const double *x, double *y) { return multiply_mass(x, y); })
     , force_(whole.n_free())
     , other_(whole.n_free())
-    , stable_step_(std::numeric_limits<double>::infinity())
   {}
 
   ArkodeSystem::~ArkodeSystem() { ARKStepFree(&memory_); }
 
-  void *ArkodeSystem::begin(const double t, N_Vector y, const bool piece)
+  void *ArkodeSystem::begin(const double t, N_Vector y)
   {
     whole_.linearise_mass(t, entries(y));
-    if (piece)
+    if (whole_.begins_piece(t))
       implicit_.begin_piece(t);
     ARKStepFree(&memory_);
     create(t, y);
-    if (!tables_.implicit)
-      estimate_stable_step(t, y);
     return memory_;
   }
 
-  void ArkodeSystem::estimate_stable_step(const double t, N_Vector y)
+  double ArkodeSystem::stable_step(const double t, N_Vector y)
   {
+    if (tables_.implicit)
+      return std::numeric_limits<double>::infinity();
     whole_.linearise(t, entries(y), nullptr);
     const State             &at = whole_.state(t, entries(y), nullptr);
     StepReport               report;
     const LargestEigenvalues largest = largest_eigenvalues({t, Side::right, at.u, at.v, at.a}, context_, whole_.stage_solver(), report);
     context_.solver.forget();
-    stable_step_ = report.accepted() ? tables_.stable_step(largest.stiffness, largest.rates) : std::numeric_limits<double>::infinity();
+    return report.accepted() ? tables_.stable_step(largest.stiffness, largest.rates) : 0;
   }
 
   void ArkodeSystem::create(const double t, N_Vector y)

@@ -51,13 +51,13 @@ namespace myolines
           stages.push_back(stage);
           end += z * table->b[i] * stage;
         }
-      return std::abs(end) > 1.05;
+      return std::abs(end) > 1 + 1e-6;
     };
     const Complex root    = std::sqrt(Complex(rates * rates - 4 * stiffness));
     const Complex fastest = (-rates - root) / 2., other = (-rates + root) / 2.;
     if (fastest == 0.)
       return std::numeric_limits<double>::infinity();
-    constexpr double first = 1e-2, last = 1e2, ratio = 1.01; // of the fastest mode
+    constexpr double first = 1e-3, last = 1e2, ratio = 1.01; // of the fastest mode
     double           part = first;
     while (part < last && !amplifies(part / std::abs(fastest) * fastest) && !amplifies(part / std::abs(fastest) * other))
       part *= ratio;
@@ -118,11 +118,13 @@ namespace myolines
                 "Diagonally implicit Runge-Kutta method; the last numbers of a name are stages, order of the error estimate, order.")
         .choice("explicit table", none, with_none(arkode_explicit_tables()),
                 "Explicit Runge-Kutta method; with an implicit one of the same name: the additive method, which needs \"split\".")
-        .optional_text("split", "What an additive method treats implicitly; `check` names the splits of a system.")
+        .optional_text(
+            "split", "What an additive method treats implicitly; a name that the system does not know is answered with those that it does.")
         .boolean("force", false, "Runs a split that is known not to converge, and explicit steps that are not stable, too.")
-        .integer("most explicit steps", 1000000, scene::Range::closed(1, 2000000000),
-                 "Where steps are chosen by error an explicit method is refused if the stable step, as estimated, makes more of them up to "
-                 "the next event or the end.");
+        .integer(
+            "most explicit steps", 1000000, scene::Range::closed(1, 2000000000),
+            "Explicit steps chosen by error are never longer than the stable one, as estimated; refused if that makes more of them up to "
+            "the next event or the end.");
   }
 
   ArkodeTables arkode_tables(const scene::Node &integrator)

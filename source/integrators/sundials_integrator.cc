@@ -6,6 +6,16 @@
 
 namespace myolines
 {
+  namespace
+  {
+    std::string without_dots(std::string text)
+    {
+      while (!text.empty() && (text.back() == '.' || text.back() == ' '))
+        text.pop_back();
+      return text;
+    }
+  } // namespace
+
   SundialsIntegrator::SundialsIntegrator(const IntegratorContext &context, const ErrorControlLimits &limits)
     : context_(context)
     , limits_(limits)
@@ -35,8 +45,8 @@ namespace myolines
     std::copy(entries(y_) + n, entries(y_) + 2 * n, entries(dy_));
     counted_ = {};
     begin(state.t, first_step);
-    begun_     = true;
-    looked_at_ = false;
+    begun_            = true;
+    steps_since_look_ = 0;
   }
 
   void SundialsIntegrator::start(State &state)
@@ -45,8 +55,8 @@ namespace myolines
     start_piece(context_, form_->stage_solver(), state);
     consistent_acceleration(context_, form_->stage_solver(), Side::right, state);
     form_->begin_piece(state.t);
-    const bool first = !begun_;
-    begin_at(state, first ? std::min(limits_.first_step, limits_.maximum_step) : 0);
+    begin_at(state, started_ || step_after_load_ ? 0 : std::min(limits_.first_step, limits_.maximum_step));
+    started_ = true;
   }
 
   StepReport SundialsIntegrator::advance(const double t_stop, State &state)
@@ -55,9 +65,9 @@ namespace myolines
     if (!begun_)
       begin_at(state, step_after_load_.value_or(0));
     message_.clear();
-    if (!looked_at_)
+    if (steps_since_look_ == 0)
       message_ = refusal(state.t, t_stop);
-    looked_at_ = true;
+    steps_since_look_ = (steps_since_look_ + 1) % steps_between_looks;
     if (!message_.empty())
       {
         StepReport refused;
@@ -65,8 +75,20 @@ namespace myolines
         refused.reason  = message_;
         return refused;
       }
-    double            t      = state.t;
-    const int         flag   = evolve(t_stop, t);
+    double t    = state.t;
+    int    flag = evolve(t_stop, t);
+    // inadmissible explicit stages end SUNDIALS' own attempts: begin anew with shorter steps
+    for (unsigned int retry = 0; flag < 0 && form_->has_reason() && retry < limits_.rejections; ++retry)
+      {
+        const double shorter = next_step() / 4;
+        if (!(shorter > limits_.minimum_step) || state.t + shorter == state.t)
+          break;
+        context_.ledger.count("rejected steps");
+        form_->take_reason();
+        begin_at(state, shorter);
+        steps_since_look_ = 1;
+        flag              = evolve(t_stop, t);
+      }
     StepReport        report = form_->take_counts();
     const std::string inner  = form_->take_reason();
     if (flag >= 0 && t <= state.t)
@@ -75,7 +97,7 @@ namespace myolines
       {
         begun_         = false;
         report.outcome = StepReport::Outcome::not_converged;
-        report.reason  = message_ + (inner.empty() ? "" : " (" + inner + ")");
+        report.reason  = without_dots(message_) + (inner.empty() ? "" : " (" + inner + ")");
         return report;
       }
     const Statistics now  = statistics();
@@ -97,7 +119,7 @@ namespace myolines
   void SundialsIntegrator::load(const Archive &archive)
   {
     begun_           = false;
-    step_after_load_ = archive.number("next step");
+    step_after_load_ = archive.has_numbers("next step") ? archive.number("next step") : 0;
   }
 
   double SundialsIntegrator::size(N_Vector error) const

@@ -112,8 +112,10 @@ namespace myolines
         .number("solver fraction", 0.05, "-", Range{0, 1, true, false},
                 "Newton's method may end where what remains is this part of the tolerances: more digits would be lost in the error of the "
                 "step.")
-        .number("safety factor", 0.9, "-", Range::closed(0.2, 1), "Of the step that would just meet the tolerance.")
-        .number("growth factor", 2, "-", Range{1, 10, true, false}, "Largest ratio of a step to the one before.")
+        .number("safety factor", 0.9, "-", Range::closed(0.2, 1),
+                "Of the step that would just meet the tolerance; multistep methods that choose their steps themselves have their own.")
+        .number("growth factor", 2, "-", Range{1, 10, true, false},
+                "Largest ratio of a step to the one before; methods that choose their steps themselves grow faster at a start.")
         .number("minimum step", 0, "s", Range::not_negative(),
                 "The run ends rather than take a smaller step; only landings shorten steps further.")
         .optional_number("maximum step", "s", Range::positive(), "Steps are never longer.")

@@ -259,7 +259,8 @@ namespace myolines
         if (!record.report.accepted())
           {
             tell_rejected(record);
-            give_up("", record.report.reason, "larger tolerances or a smaller \"minimum step\" in \"time/control\"");
+            give_up("", record.report.reason,
+                    "other tolerances or a smaller \"minimum step\" in \"time/control\", velocities among them, or another method");
           }
         ledger_.count("accepted steps");
         record.number = ++number_;

@@ -233,7 +233,9 @@ namespace
   protected:
     static double error(const Problem &problem, const unsigned int n)
     {
-      Experiment run(integrator_entry("arkode"), problem.parameters, BoundaryRates::exact, GetParam().parameters);
+      Overrides parameters = GetParam().parameters;
+      parameters.push_back("force=true"); // tables that amplify undamped oscillations have no stable step
+      Experiment run(integrator_entry("arkode"), problem.parameters, BoundaryRates::exact, parameters);
       run.run(2, 2. / n);
       EXPECT_EQ(run.solvers.ledger.counted("accepted steps"), n);
       return std::hypot(run.state.u(0) - problem.exact(2).u, run.state.v(0) - problem.exact(2).v);
@@ -277,33 +279,31 @@ TEST(Arkode, additiveMethodsHaveTheirOrder)
     }
 }
 
-/// Stability functions 1 + z + z^2/2, which is 1.05 at z = -1 - sqrt(1.1), and that with z^3/6 more: |R(iy)|^2 = 1 - y^4/12 + y^6/36.
+/// Stability functions 1 + z + z^2/2, which is 1 at z = -2, and that with z^3/6 more: |R(iy)| = 1 at y = sqrt(3).
 TEST(Arkode, knowsTheStableStepOfExplicitTables)
 {
   ArkodeTables heun, bogacki;
   heun.explicit_    = "HEUN_EULER_2_1_2";
   bogacki.explicit_ = "BOGACKI_SHAMPINE_4_2_3";
-  EXPECT_NEAR(heun.stable_step(0, 100), (1 + std::sqrt(1.1)) / 100, 0.0003);
-  const double y = 100 * bogacki.stable_step(1e4, 0);
-  EXPECT_LT(1 - std::pow(y, 4) / 12 + std::pow(y, 6) / 36, 1.05 * 1.05);
-  EXPECT_GT(1 - std::pow(1.011 * y, 4) / 12 + std::pow(1.011 * y, 6) / 36, 1.05 * 1.05);
+  EXPECT_NEAR(heun.stable_step(0, 100), 0.02, 2e-4);
+  EXPECT_NEAR(bogacki.stable_step(1e4, 0), std::sqrt(3.) / 100, 2e-4);
   EXPECT_EQ(heun.stable_step(0, 0), std::numeric_limits<double>::infinity());
 }
 
 TEST(Arkode, refusesExplicitStepsThatAreNotStable)
 {
   OscillatorParameters stiff;
-  stiff.stiffness = 1e8; // stable: 1.8e-4 s
+  stiff.stiffness = 1e8; // stable: 1.7e-4 s
   const Method explicit_method{"", "arkode", {"implicit table=none", "explicit table=BOGACKI_SHAMPINE_4_2_3", "most explicit steps=1000"}};
   SelfPaced    adaptive(explicit_method, stiff, 1, tolerance(1e-3));
   try
     {
       adaptive.run();
-      ADD_FAILURE() << "needs 5500 steps";
+      ADD_FAILURE() << "needs 5800 steps";
     }
   catch (const SolveError &error)
     {
-      EXPECT_NE(std::string(error.what()).find("stable step of this explicit method is about 0.00018"), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("stable step of this explicit method is about 0.00017"), std::string::npos) << error.what();
     }
   Experiment fixed(integrator_entry("arkode"), stiff, BoundaryRates::exact, explicit_method.parameters);
   fixed.integrator->start(fixed.state);

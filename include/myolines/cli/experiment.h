@@ -30,6 +30,9 @@ namespace myolines
     /// What the user should know before trusting the results: of the system, and of the method in it.
     std::vector<std::string> warnings() const;
 
+    /// Whether the method chooses its steps itself.
+    bool paces_itself() const { return self_paced_ != nullptr; }
+
     WorkLedger &ledger() { return ledger_; }
 
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.

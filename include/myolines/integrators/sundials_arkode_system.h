@@ -22,16 +22,15 @@ namespace myolines
     ArkodeSystem(const ArkodeSystem &)            = delete;
     ArkodeSystem &operator=(const ArkodeSystem &) = delete;
 
-    /// Memory of ARKODE that begins at (t, y), the former one deleted; a smooth piece begins there if @p piece. It belongs to this object.
-    void *begin(double t, N_Vector y, bool piece);
+    /// Memory of ARKODE that begins at (t, y), the former one deleted. It belongs to this object.
+    void *begin(double t, N_Vector y);
 
-    /// The longest stable step [s] of an explicit method in small motions about the state of begin(); infinity for others. Ledger: "stable
-    /// step estimates".
-    double stable_step() const { return stable_step_; }
+    /// The longest stable step [s] of an explicit method in small motions about (t, y); infinity for others, and 0 if it cannot be
+    /// estimated. Ledger: "stable step estimates".
+    double stable_step(double t, N_Vector y);
 
   private:
     void create(double t, N_Vector y);
-    void estimate_stable_step(double t, N_Vector y);
     bool right_hand_side(FirstOrderForm &form, double t, const double *y, double *f);
     bool explicit_forces(double t, const double *y, double *f);
     bool solve(const double *b, double *x);
@@ -52,6 +51,5 @@ namespace myolines
     SundialsMatrix                      newton_, mass_;
     std::vector<double>                 force_, other_;
     void                               *memory_ = nullptr;
-    double                              stable_step_;
   };
 } // namespace myolines

@@ -23,8 +23,8 @@ namespace myolines
     int embedded_order() const;
     int stages() const;
 
-    /// Longest step [s] with which the explicit method amplifies no mode of a + c v + k u = 0 by more than 5 %: some methods amplify
-    /// undamped ones a little at every step. @p stiffness k [1/s^2], @p rates c [1/s]; infinity if both are 0.
+    /// Longest step [s] with which the explicit method amplifies no mode of a + c v + k u = 0 by more than a millionth: some methods
+    /// amplify undamped ones a little at every step. @p stiffness k [1/s^2], @p rates c [1/s]; infinity if both are 0.
     double stable_step(double stiffness, double rates) const;
   };
 

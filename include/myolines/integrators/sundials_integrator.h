@@ -23,6 +23,8 @@ namespace myolines
     void       save(Archive &archive) const final;
     void       load(const Archive &archive) final;
 
+    static constexpr unsigned int steps_between_looks = 100;
+
   protected:
     SundialsIntegrator(const IntegratorContext &context, const ErrorControlLimits &limits);
 
@@ -37,8 +39,9 @@ namespace myolines
     /// Begins anew at (t, y(), dy()); the first step [s] is @p first_step, or its own choice (0).
     virtual void begin(double t, double first_step) = 0;
 
-    /// Why the method cannot go from begin() to @p t_stop at a bearable cost; empty: it can.
-    virtual std::string refusal(double /*t*/, double /*t_stop*/) const { return ""; }
+    /// Why the method cannot go from (t, y()) to @p t_stop at a bearable cost; empty: it can. Asked at begin() and after every
+    /// steps_between_looks steps.
+    virtual std::string refusal(double /*t*/, double /*t_stop*/) { return ""; }
 
     /// One step to @p t <= @p t_stop: y() and dy() become those there. Negative: failed.
     virtual int evolve(double t_stop, double &t) = 0;
@@ -71,8 +74,9 @@ namespace myolines
     std::unique_ptr<SundialsContext> sundials_;
     SundialsVector                   y_, dy_, work_, weights_;
     Statistics                       counted_;
-    std::optional<double>            step_after_load_;                   ///< [s]
-    bool                             begun_ = false, looked_at_ = false; ///< refusal()
+    unsigned int                     steps_since_look_ = 0;
+    std::optional<double>            step_after_load_; ///< [s]
+    bool                             begun_ = false, started_ = false;
     std::string                      message_;
   };
 

@@ -28,6 +28,7 @@ namespace myolines
 
     /// A smooth piece begins at @p t: drives take their right limits then, later their left ones.
     void begin_piece(double t) { piece_begin_ = t; }
+    bool begins_piece(double t) const { return piece_begin_ == t; }
 
     std::size_t n_free() const { return free_.size(); } ///< of this rank
     std::size_t n_free_of_all_ranks() const { return n_free_of_all_ranks_; }
@@ -61,6 +62,8 @@ namespace myolines
     /// For what else is to be solved in the same storage.
     StageSolver &stage_solver() { return solver_; }
 
+    bool has_reason() const { return !reason_.empty(); }
+
     /// Why the last call that failed did so, and forgets it; empty if none has.
     std::string take_reason() { return std::exchange(reason_, {}); }
 
@@ -70,7 +73,7 @@ namespace myolines
   private:
     class Mass;
 
-    Side side(double t) const { return t == piece_begin_ ? Side::right : Side::left; }
+    Side side(double t) const { return begins_piece(t) ? Side::right : Side::left; }
     void scatter(const double *values, Vector &x) const;
     void gather(const Vector &x, double *values) const;
     bool solve(StageSolver &solver, const Weights &w, const double *b, double *x, bool roughly);
