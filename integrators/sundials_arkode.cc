@@ -1,6 +1,5 @@
 #include <myolines/integrators/sundials_arkode_system.h>
 #include <myolines/integrators/sundials_integrator.h>
-#include <myolines/time/start.h>
 
 #include <arkode/arkode_arkstep.h>
 
@@ -47,14 +46,13 @@ namespace myolines
       AdaptiveArkode(const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits)
         : SundialsIntegrator(context, limits)
         , node_(node)
-        , context_(context)
         , tables_(arkode_tables(node, context.system))
       {}
 
     private:
       void allocate_solver(const State &layout) override
       {
-        system_.emplace(tables_, tolerances(), node_, context_, form(), sundials(), layout);
+        system_.emplace(tables_, tolerances(), node_, context(), form(), sundials(), layout);
       }
 
       void begin(const double t, const double first_step) override
@@ -125,7 +123,6 @@ namespace myolines
       static constexpr double smallest_error = 1e-6; ///< what is below is rounding
 
       const scene::Node           node_;
-      const IntegratorContext     context_;
       const ArkodeTables          tables_;
       std::optional<ArkodeSystem> system_;
       void                       *memory_ = nullptr;
@@ -145,9 +142,7 @@ namespace myolines
       void start(State &state) override
       {
         allocate(state);
-        start_piece(context_, form_->stage_solver(), state);
-        consistent_acceleration(context_, form_->stage_solver(), Side::right, state);
-        form_->begin_piece(state.t);
+        form_->start_piece(state);
         form_->gather(state, entries(y_));
         create(state.t);
       }

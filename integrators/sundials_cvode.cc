@@ -1,5 +1,4 @@
 #include <myolines/integrators/sundials_integrator.h>
-#include <myolines/time/start.h>
 
 #include <cvodes/cvodes.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
@@ -147,8 +146,8 @@ namespace myolines
         return 0;
       }
 
-      static int linearise(const double t, N_Vector y, N_Vector dy, SUNMatrix, const int up_to_date, int *renewed, const double g,
-                           void *self, N_Vector, N_Vector, N_Vector)
+      static int linearise(const double t, N_Vector y, N_Vector dy, SUNMatrix, const int up_to_date, int *renewed, const double, void *self,
+                           N_Vector, N_Vector, N_Vector)
       {
         Cvode &cvode = *static_cast<Cvode *>(self);
         if (!up_to_date)

@@ -2,7 +2,6 @@
 
 #include <idas/idas.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace myolines

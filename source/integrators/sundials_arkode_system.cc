@@ -46,7 +46,6 @@ namespace myolines
   {
     if (tables_.implicit)
       return std::numeric_limits<double>::infinity();
-    whole_.linearise(t, entries(y), nullptr);
     const State             &at = whole_.state(t, entries(y), nullptr);
     StepReport               report;
     const LargestEigenvalues largest = largest_eigenvalues({t, Side::right, at.u, at.v, at.a}, context_, whole_.stage_solver(), report);

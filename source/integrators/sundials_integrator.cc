@@ -52,9 +52,7 @@ namespace myolines
   void SundialsIntegrator::start(State &state)
   {
     allocate(state);
-    start_piece(context_, form_->stage_solver(), state);
-    consistent_acceleration(context_, form_->stage_solver(), Side::right, state);
-    form_->begin_piece(state.t);
+    form_->start_piece(state);
     begin_at(state, started_ || step_after_load_ ? 0 : std::min(limits_.first_step, limits_.maximum_step));
     started_ = true;
   }

@@ -1,6 +1,7 @@
 #include <myolines/solve/free_unknowns.h>
 #include <myolines/system/band_linearisation.h>
 #include <myolines/time/first_order_form.h>
+#include <myolines/time/start.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -60,6 +61,13 @@ namespace myolines
   }
 
   FirstOrderForm::~FirstOrderForm() = default;
+
+  void FirstOrderForm::start_piece(State &state)
+  {
+    myolines::start_piece(context_, solver_, state);
+    consistent_acceleration(context_, solver_, Side::right, state);
+    begin_piece(state.t);
+  }
 
   void FirstOrderForm::gather(const State &state, double *y, double *a) const
   {

@@ -16,24 +16,6 @@ namespace
   class Every : public ::testing::TestWithParam<IntegratorEntry>
   {
   };
-
-  OscillatorParameters driven_duffing()
-  {
-    OscillatorParameters parameters;
-    parameters.cubic_stiffness = 3;
-    parameters.damping         = 0.2;
-    parameters.force           = sine(2, 3);
-    parameters.support         = sine(0.5, 2);
-    return parameters;
-  }
-
-  std::vector<double> values(const State &state)
-  {
-    std::vector<double> all = {state.t};
-    for (const Vector *x : {&state.u, &state.v, &state.a})
-      all.insert(all.end(), x->begin(), x->end());
-    return all;
-  }
 } // namespace
 
 TEST_P(Every, failedStepLeavesTheStateAsItWas)

@@ -19,7 +19,7 @@ namespace
   {
     /// @p settings of the list `time`, beside the end, the kind of control and the first step.
     Adaptive(const Verified &method, OscillatorParameters parameters, const double end, const Overrides &settings)
-      : time(node(time_schema(), with(settings, end)))
+      : time(node(time_schema(), by_error(settings, end)))
       , system(std::move(parameters), solvers.ledger)
       , norm(make_error_norm(time, system))
       , control(make_step_control(time, error_exponent(method.entry.facts)))
@@ -28,17 +28,6 @@ namespace
                             {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger, StartVelocity::consistent, norm.get()}))
       , state(system.initial_state(0))
     {}
-
-    static Overrides with(Overrides settings, const double end)
-    {
-      std::ostringstream until;
-      until.precision(17);
-      until << "end=" << end;
-      settings.insert(settings.end(), {"control/type=error", until.str()});
-      if (std::none_of(settings.begin(), settings.end(), [](const std::string &s) { return s.rfind("step=", 0) == 0; }))
-        settings.push_back("step=1e-3");
-      return settings;
-    }
 
     void run(const std::vector<Observer *> &observers = {})
     {
@@ -73,14 +62,6 @@ namespace
     return settings;
   }
 
-  std::vector<double> values(const State &state)
-  {
-    std::vector<double> all = {state.t};
-    for (const Vector *x : {&state.u, &state.v, &state.a})
-      all.insert(all.end(), x->begin(), x->end());
-    return all;
-  }
-
   std::vector<double> memory(const Integrator &integrator)
   {
     Archive archive;
@@ -109,16 +90,6 @@ namespace
     double                        sum = 0;
     std::vector<double>           sizes, times;
   };
-
-  OscillatorParameters driven_duffing()
-  {
-    OscillatorParameters parameters;
-    parameters.cubic_stiffness = 3;
-    parameters.damping         = 0.2;
-    parameters.force           = sine(2, 3);
-    parameters.support         = sine(0.5, 2);
-    return parameters;
-  }
 
   class ByError : public ::testing::TestWithParam<Verified>
   {

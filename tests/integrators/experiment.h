@@ -51,6 +51,38 @@ namespace myolines::testing
     State                       state;
   };
 
+  /// A cubic spring, damped, driven by a force and by its support.
+  inline OscillatorParameters driven_duffing()
+  {
+    OscillatorParameters parameters;
+    parameters.cubic_stiffness = 3;
+    parameters.damping         = 0.2;
+    parameters.force           = sine(2, 3);
+    parameters.support         = sine(0.5, 2);
+    return parameters;
+  }
+
+  /// All numbers of @p state.
+  inline std::vector<double> values(const State &state)
+  {
+    std::vector<double> all = {state.t};
+    for (const Vector *x : {&state.u, &state.v, &state.a})
+      all.insert(all.end(), x->begin(), x->end());
+    return all;
+  }
+
+  /// @p settings of the list `time` with steps chosen by error until @p end, from a first one of 1 ms if they name none.
+  inline Overrides by_error(Overrides settings, const double end)
+  {
+    std::ostringstream until;
+    until.precision(17);
+    until << "end=" << end;
+    settings.insert(settings.end(), {"control/type=error", until.str()});
+    if (std::none_of(settings.begin(), settings.end(), [](const std::string &s) { return s.rfind("step=", 0) == 0; }))
+      settings.push_back("step=1e-3");
+    return settings;
+  }
+
   /// Methods whose steps are ours to choose; sundials.cc has the others.
   inline std::vector<IntegratorEntry> native_methods()
   {

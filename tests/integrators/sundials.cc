@@ -46,7 +46,7 @@ namespace
   struct SelfPaced
   {
     SelfPaced(const Method &method, OscillatorParameters parameters, const double end, const Overrides &settings)
-      : time(node(time_schema(), with(settings, end)))
+      : time(node(time_schema(), by_error(settings, end)))
       , system(std::move(parameters), solvers.ledger)
       , norm(make_error_norm(time, system))
       , integrator(entry(method).make_self_paced(
@@ -57,15 +57,6 @@ namespace
     {}
 
     static const IntegratorEntry &entry(const Method &method) { return integrator_entry(method.name); }
-
-    static Overrides with(Overrides settings, const double end)
-    {
-      std::ostringstream until;
-      until.precision(17);
-      until << "end=" << end;
-      settings.insert(settings.begin(), {"control/type=error", until.str(), "step=1e-3"});
-      return settings;
-    }
 
     void run(const std::vector<Observer *> &observers = {}, Keeper *keeper = nullptr)
     {
@@ -98,14 +89,6 @@ namespace
     void                accepted(const State &, const StepRecord &record) override { times.push_back(record.t); }
     std::vector<double> times;
   };
-
-  std::vector<double> values(const State &state)
-  {
-    std::vector<double> all = {state.t};
-    for (const Vector *x : {&state.u, &state.v, &state.a})
-      all.insert(all.end(), x->begin(), x->end());
-    return all;
-  }
 
   class Sundials : public ::testing::TestWithParam<Method>
   {

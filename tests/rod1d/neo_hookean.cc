@@ -13,21 +13,6 @@ using namespace myolines::testing;
 
 namespace
 {
-  /// kappa = 1 MPa (errata 18), profiles (4.7.3) to (4.7.5).
-  Rod1dParameters thesis_rod(const int profile, const unsigned int n_elements = 8)
-  {
-    Rod1dParameters p;
-    p.n_elements = n_elements;
-    p.material   = RodMaterial::neo_hookean_thesis(1e6, 0.4);
-    if (profile == 1)
-      p.strain = std::make_shared<SmoothStep>(0.1, 0, 2, 2 * 0.1 / (0.2 * 2));
-    else if (profile == 2)
-      p.strain = std::make_shared<PiecewiseDrive>(PiecewiseDrive::lines({{0.1, 0}, {0.6, 0.1}}));
-    else
-      p.strain = std::make_shared<Sine>(0.1, 1, 0, 0);
-    return p;
-  }
-
   std::pair<std::string, Overrides> method(const std::string &tag)
   {
     if (tag == "BE")

@@ -3,11 +3,27 @@
 #include "../support/solvers.h"
 
 #include <myolines/rod1d/rod1d_system.h>
+#include <myolines/system/drive_types.h>
 #include <myolines/time/loop.h>
 #include <myolines/time/start.h>
 
 namespace myolines::testing
 {
+  /// The Neo-Hookean rod of thesis section 4.7, kappa = 1 MPa (errata 18), profiles (4.7.3) to (4.7.5).
+  inline Rod1dParameters thesis_rod(const int profile, const unsigned int n_elements = 8)
+  {
+    Rod1dParameters p;
+    p.n_elements = n_elements;
+    p.material   = RodMaterial::neo_hookean_thesis(1e6, 0.4);
+    if (profile == 1)
+      p.strain = std::make_shared<SmoothStep>(0.1, 0, 2, 2 * 0.1 / (0.2 * 2));
+    else if (profile == 2)
+      p.strain = std::make_shared<PiecewiseDrive>(PiecewiseDrive::lines({{0.1, 0}, {0.6, 0.1}}));
+    else
+      p.strain = std::make_shared<Sine>(0.1, 1, 0, 0);
+    return p;
+  }
+
   /// A rod in the conventions of the thesis: scheme rates, kinks landed on, everything at rest at the start.
   struct Rod
   {

@@ -1,7 +1,7 @@
 // SUNDIALS at tight tolerances against the exact-in-time solution of the same elements of the Neo-Hookean rod.
 
-#include "../support/solvers.h"
 #include "../support/table.h"
+#include "rod.h"
 
 #include <myolines/rod1d/rod1d_system.h>
 #include <myolines/system/drive_types.h>
@@ -16,21 +16,12 @@ using namespace myolines::testing;
 
 namespace
 {
-  Rod1dParameters thesis_rod(const unsigned int n_elements)
-  {
-    Rod1dParameters p;
-    p.n_elements = n_elements;
-    p.material   = RodMaterial::neo_hookean_thesis(1e6, 0.4);
-    p.strain     = std::make_shared<Sine>(0.1, 1, 0, 0);
-    return p;
-  }
-
   /// Largest error of u [m] at all nodes and times up to @p last [s] of nh_semidiscrete_reference.csv.
   double error(const std::string &start, const unsigned int n_elements, const double last, const std::string &method,
                const Overrides &parameters)
   {
     Solvers           solvers;
-    const Rod1dSystem system(thesis_rod(n_elements), solvers.ledger);
+    const Rod1dSystem system(thesis_rod(3, n_elements), solvers.ledger);
     const scene::Node time   = node(time_schema(), {"end=1", "step=1e-7", "control/type=error", "control/displacement/relative tolerance=0",
                                                     "control/displacement/absolute tolerance=1e-13", "control/velocity/relative tolerance=0",
                                                     "control/velocity/absolute tolerance=1e-9", "control/solver fraction=0.001"});

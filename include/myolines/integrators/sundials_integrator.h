@@ -53,6 +53,7 @@ namespace myolines
     FirstOrderForm           &form() const { return *form_; }
     const SundialsContext    &sundials() const { return *sundials_; }
     const ErrorControlLimits &limits() const { return limits_; }
+    const IntegratorContext  &context() const { return context_; }
     const ErrorTolerances    &tolerances() const;
     N_Vector                  y() const { return y_.get(); }
     N_Vector                  dy() const { return dy_.get(); }

@@ -28,6 +28,9 @@ namespace myolines
 
     /// A smooth piece begins at @p t: drives take their right limits then, later their left ones.
     void begin_piece(double t) { piece_begin_ = t; }
+
+    /// A smooth piece begins at @p state, which gets its boundary velocities and consistent accelerations (start.h).
+    void start_piece(State &state);
     bool begins_piece(double t) const { return piece_begin_ == t; }
 
     std::size_t n_free() const { return free_.size(); } ///< of this rank
