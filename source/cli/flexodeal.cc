@@ -34,14 +34,11 @@ namespace myolines
     const char *const own_solver   = "the solvers here have settings of their own";
     const char *const other_output = "outputs are chosen in the list \"output\"";
 
-    const std::vector<Rule> rules{
+    const std::vector<Rule> common_rules{
         {"Finite element system", "Polynomial degree", "system/discretisation/degree"},
         {"Finite element system", "Quadrature order", "system/discretisation/quadrature points"},
         {"Finite element system", "Type of simulation", "system/inertia"},
         {"Geometry", "Global refinement"},
-        {"Geometry", "Length"},
-        {"Geometry", "Width"},
-        {"Geometry", "Height"},
         {"Geometry", "Grid scale"},
         {"Geometry", "Pressure ratio p/p0", "", "imported scenes have no pressure load"},
         {"Linear solver", "Max iteration multiplier", "", own_solver},
@@ -54,9 +51,6 @@ namespace myolines
         {"Materials", "Sigma naught muscle", "system/tissues/muscle/fibre/maximum isometric stress"},
         {"Materials", "Bulk modulus muscle", "system/tissues/muscle/bulk modulus"},
         {"Materials", "Max strain rate", "system/tissues/muscle/fibre/maximum strain rate"},
-        {"Materials", "Muscle x component", "system/fibres/x"},
-        {"Materials", "Muscle y component", "system/fibres/y"},
-        {"Materials", "Muscle z component", "system/fibres/z"},
         {"Materials", "Sigma naught base material", "system/tissues/muscle/base/stress scale"},
         {"Materials", "Muscle base material factor", "system/tissues/muscle/base/factor"},
         {"Materials", "Muscle base material constant 1", "system/tissues/muscle/base/c1"},
@@ -74,6 +68,46 @@ namespace myolines
         {"Output binary files", "Output binary files tensors", "", other_output},
     };
 
+    /// Flexodeal Lite: a block of muscle with one fibre direction.
+    const std::vector<Rule> lite_rules{
+        {"Geometry", "Length"},
+        {"Geometry", "Width"},
+        {"Geometry", "Height"},
+        {"Materials", "Muscle x component", "system/fibres/x"},
+        {"Materials", "Muscle y component", "system/fibres/y"},
+        {"Materials", "Muscle z component", "system/fibres/z"},
+    };
+
+    const char *const no_tendon = "the idealised gastrocnemius has no cells of tendon";
+
+    /// Flexodeal: the idealised gastrocnemius with aponeurosis and fat.
+    const std::vector<Rule> full_rules{
+        {"Geometry", "Muscle length"},
+        {"Geometry", "Aponeurosis length"},
+        {"Geometry", "Aponeurosis height"},
+        {"Geometry", "Muscle width"},
+        {"Geometry", "Pennation angle", "system/geometry/pennation angle"},
+        {"Materials", "Sigma naught aponeurosis", "system/tissues/aponeurosis/fibre/stress scale"},
+        {"Materials", "Bulk modulus aponeurosis", "system/tissues/aponeurosis/bulk modulus"},
+        {"Materials", "Sigma naught aponeurosis base material", "system/tissues/aponeurosis/base/stress scale"},
+        {"Materials", "Aponeurosis base material factor", "system/tissues/aponeurosis/base/factor"},
+        {"Materials", "Aponeurosis base material constant 1", "system/tissues/aponeurosis/base/c1"},
+        {"Materials", "Aponeurosis base material constant 2", "system/tissues/aponeurosis/base/c2"},
+        {"Materials", "Aponeurosis base material constant 3", "system/tissues/aponeurosis/base/c3"},
+        {"Materials", "Sigma naught tendon", "", no_tendon},
+        {"Materials", "Bulk modulus tendon", "", no_tendon},
+        {"Materials", "Sigma naught tendon base material", "", no_tendon},
+        {"Materials", "Tendon base material factor", "", no_tendon},
+        {"Materials", "Tendon base material constant 1", "", no_tendon},
+        {"Materials", "Tendon base material constant 2", "", no_tendon},
+        {"Materials", "Tendon base material constant 3", "", no_tendon},
+        {"Materials", "Bulk modulus fat", "system/tissues/muscle/fat/bulk modulus"},
+        {"Materials", "Fat factor", "system/tissues/muscle/fat/factor"},
+        {"Materials", "Fat constant 1", "system/tissues/muscle/fat/c1"},
+        {"Materials", "Fat fraction"}, // some versions have it in the table of points alone
+        {"Materials", "QP list filename"},
+    };
+
     /// The peer's parameters, each known and there.
     class PeerParameters
     {
@@ -81,13 +115,21 @@ namespace myolines
       explicit PeerParameters(const std::filesystem::path &file)
         : file_(file.string())
         , entries_(read_prm(file))
+        , full_(find("Geometry", "Muscle length") != nullptr)
+        , rules_(common_rules)
       {
+        const std::vector<Rule> &more = full_ ? full_rules : lite_rules;
+        rules_.insert(rules_.end(), more.begin(), more.end());
         std::vector<InputProblem> problems;
         refuse_unknown(problems);
         refuse_missing(problems);
         if (!problems.empty())
           throw InputError(problems);
       }
+
+      /// Whether these are parameters of the complete program, else of Flexodeal Lite.
+      bool                     full() const { return full_; }
+      const std::vector<Rule> &rules() const { return rules_; }
 
       const PrmEntry *find(const std::string &section, const std::string &name) const
       {
@@ -129,7 +171,7 @@ namespace myolines
           {
             bool                     known = false;
             std::vector<std::string> names;
-            for (const Rule &rule : rules)
+            for (const Rule &rule : rules_)
               {
                 known = known || (entry.section == rule.section && entry.name == rule.name);
                 if (entry.section == rule.section)
@@ -139,7 +181,8 @@ namespace myolines
             if (!known)
               problems.push_back({file_ + ", line " + std::to_string(entry.line),
                                   "unknown entry \"" + entry.name + "\" in subsection \"" + entry.section + "\"",
-                                  "an entry of Flexodeal Lite", nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+                                  std::string("an entry of Flexodeal") + (full_ ? "" : " Lite"),
+                                  nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
           }
       }
 
@@ -147,15 +190,22 @@ namespace myolines
       void refuse_missing(std::vector<InputProblem> &problems) const
       {
         const unsigned int last = entries_.empty() ? 1 : entries_.back().line;
-        for (const Rule &rule : rules)
-          if (rule.lost[0] == '\0' && std::string(rule.name) != "Markers list file" && find(rule.section, rule.name) == nullptr)
+        for (const Rule &rule : rules_)
+          if (rule.lost[0] == '\0' && !may_be_absent(rule.name) && find(rule.section, rule.name) == nullptr)
             problems.push_back({file_ + ", line " + std::to_string(last),
                                 std::string("up to here, \"") + rule.name + "\" of subsection \"" + rule.section + "\" is not set",
                                 "set " + std::string(rule.name) + " = VALUE", ""});
       }
 
+      static bool may_be_absent(const std::string &name)
+      {
+        return name == "Markers list file" || name == "Fat fraction" || name == "QP list filename";
+      }
+
       std::string           file_;
       std::vector<PrmEntry> entries_;
+      bool                  full_;
+      std::vector<Rule>     rules_;
     };
 
     /// The lines of @p file as words, @p n_words each; all but the first @p n_names of them numbers.
@@ -195,8 +245,14 @@ namespace myolines
 
     void add_geometry(Settings &settings, const PeerParameters &peer, std::ostream &out)
     {
+      const std::vector<std::pair<const char *, const char *>> of_block{{"Length", "length"}, {"Width", "width"}, {"Height", "height"}},
+          of_gastrocnemius{{"Muscle length", "muscle length"},
+                           {"Aponeurosis length", "aponeurosis length"},
+                           {"Aponeurosis height", "aponeurosis height"},
+                           {"Muscle width", "width"}};
       const double scale = peer.positive("Geometry", "Grid scale");
-      for (const auto &[name, path] : {std::pair("Length", "length"), std::pair("Width", "width"), std::pair("Height", "height")})
+      settings.push_back({"system/geometry/type", peer.full() ? "idealised gastrocnemius" : "block"});
+      for (const auto &[name, path] : peer.full() ? of_gastrocnemius : of_block)
         settings.push_back({std::string("system/geometry/") + path, format_number(scale * peer.positive("Geometry", name))});
       const int refinement = peer.integer("Geometry", "Global refinement", 0, 8);
       if (refinement == 0)
@@ -242,19 +298,21 @@ namespace myolines
             << format_number(whole * step) << " s\n";
       settings.push_back({"time/boundary rates", "scheme"});
       settings.push_back({"time/start velocity", "impulse"});
-      settings.push_back({"time/events", "land"});
+      settings.push_back({"time/events", "ignore"});
       if (!steps.empty())
         out << "replaced by --steps: Time / Time step size = " << peer.text("Time", "Time step size")
             << ", End time = " << peer.text("Time", "End time") << "\n";
     }
 
-    void name_what_is_lost(const PeerParameters &peer, const bool markers, std::ostream &out)
+    void name_what_is_lost(const PeerParameters &peer, const bool markers, const bool points, std::ostream &out)
     {
-      for (const Rule &rule : rules)
+      for (const Rule &rule : peer.rules())
         if (const PrmEntry *entry = peer.find(rule.section, rule.name); entry != nullptr && rule.lost[0] != '\0')
           out << "not carried over: " << rule.section << " / " << rule.name << " = " << entry->text << " (" << rule.lost << ")\n";
       if (const PrmEntry *entry = peer.find("Measuring locations", "Markers list file"); entry != nullptr && !markers)
         out << "not carried over: Measuring locations / Markers list file = " << entry->text << " (give the file with --markers)\n";
+      if (const PrmEntry *entry = peer.find("Materials", "QP list filename"); entry != nullptr && !points)
+        out << "not carried over: Materials / QP list filename = " << entry->text << " (give the file with --qp-table)\n";
     }
 
     Settings translate(const FlexodealOptions &options, const PeerParameters &peer, std::ostream &out)
@@ -265,14 +323,25 @@ namespace myolines
                         {"integrator/type", inertia == "dynamic" ? "backward euler" : "static"},
                         {"solver/nonlinear/relative tolerance", "1e-10"}, // so that the absolute one decides, as in the peer
                         {"output/series/slab", "whole cells"},
-                        {"system/fibres/type", "direction"}};
-      for (const Rule &rule : rules)
+                        {"system/fibres/type", peer.full() ? "pennation angle" : "direction"}};
+      if (peer.full())
+        {
+          const PrmEntry *fat = peer.find("Materials", "Fat fraction");
+          settings.push_back({"system/tissues/muscle/fat/type", "neo-hookean"});
+          settings.push_back({"system/tissues/muscle/fat/fraction", fat != nullptr ? fat->text : "0"});
+        }
+      for (const Rule &rule : peer.rules())
         if (rule.path[0] != '\0')
           settings.push_back({rule.path, peer.text(rule.section, rule.name)});
       add_geometry(settings, peer, out);
       add_boundary(settings, peer, options.strain);
       add_profile(settings, "system/activation", options.activation);
       add_time(settings, peer, options.steps, out);
+      if (!options.points.empty())
+        {
+          const PointProperties readable(options.points);
+          settings.push_back({"system/fields/table", std::filesystem::proximate(options.points, options.scene.parent_path()).string()});
+        }
       if (!options.markers.empty())
         settings.push_back(
             {"output/series/markers", join(read_rows(options.markers, 1, 4, "\"name x y z\" with coordinates in metres"), "; ")});
@@ -303,7 +372,7 @@ namespace myolines
       {
         throw InputError(InputProblem{options.scene.string(), error.what(), "a path in a folder that exists and can be written", ""});
       }
-    name_what_is_lost(peer, !options.markers.empty(), out);
+    name_what_is_lost(peer, !options.markers.empty(), !options.points.empty(), out);
     out << "scene written: " << options.scene.string() << "\n";
   }
 } // namespace myolines

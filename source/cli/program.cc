@@ -137,6 +137,7 @@ namespace myolines
             ->type_name("ACTIVATION.dat");
         command->add_option("--out", flexodeal_.scene, "The scene to write")->required()->type_name("SCENE.xml");
         command->add_option("--markers", flexodeal_.markers, "Its list of markers")->type_name("FILE");
+        command->add_option("--qp-table", flexodeal_.points, "Its CSV file of properties at quadrature points")->type_name("FILE");
         command->add_option("--steps", flexodeal_.steps, "Schedule of steps instead of its step size: \"4 x 0.025; 8 x 0.0125\"")
             ->type_name("STEPS");
       }

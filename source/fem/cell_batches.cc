@@ -5,6 +5,8 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <map>
+
 namespace myolines
 {
   namespace
@@ -42,19 +44,21 @@ namespace myolines
     : n_nodes_(element.n_nodes)
     , n_modes_(element.n_modes)
   {
-    std::vector<NodeSpace::Cell> owned, ghosts;
+    std::map<dealii::types::material_id, std::vector<NodeSpace::Cell>> owned, ghosts;
     for (const NodeSpace::Cell &cell : space.nodes().active_cell_iterators())
       if (cell->is_locally_owned())
-        owned.push_back(cell);
+        owned[cell->material_id()].push_back(cell);
       else if (cell->is_ghost())
-        ghosts.push_back(cell);
+        ghosts[cell->material_id()].push_back(cell);
     const dealii::MappingQ1<3> mapping;
     const dealii::FE_Q<3>      any(1);
     dealii::FEValues<3>        values(mapping, any, dealii::QGauss<3>(element.n_points_1d),
                                       dealii::update_inverse_jacobians | dealii::update_jacobians);
-    add_batches(owned, space, element, values);
+    for (const auto &[id, cells] : owned)
+      add_batches(cells, space, element, values);
     n_owned_ = n_batches();
-    add_batches(ghosts, space, element, values);
+    for (const auto &[id, cells] : ghosts)
+      add_batches(cells, space, element, values);
   }
 
   void CellBatches::add_batches(const std::vector<NodeSpace::Cell> &cells, const NodeSpace &space, const Element &element,
@@ -112,6 +116,16 @@ namespace myolines
           for (int j = 0; j < n_modes_; ++j)
             mass[(i * n_modes_ + j) * n_lanes + lane] = matrix(i, j);
       }
+  }
+
+  dealii::Point<3> point_position(const Element &element, const NodeSpace::Cell &cell, const int q)
+  {
+    const int              n = element.n_points_1d;
+    const dealii::Point<3> unit(element.point[q % n], element.point[(q / n) % n], element.point[q / (n * n)]);
+    dealii::Point<3>       x;
+    for (const unsigned int v : cell->vertex_indices())
+      x += dealii::GeometryInfo<3>::d_linear_shape_function(unit, v) * cell->vertex(v);
+    return x;
   }
 
   std::size_t CellBatches::memory() const

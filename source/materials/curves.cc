@@ -5,18 +5,42 @@
 
 namespace myolines::curves
 {
+  namespace
+  {
+    /// A quadratic c2 (s - x0)^2 + c1 (s - x0) + c0 that holds from x0 to the next piece.
+    struct Piece
+    {
+      double x0, c2, c1, c0;
+    };
+
+    /// Integral of the pieces over s from the first x0 to @p stretch.
+    template <std::size_t n>
+    double integral_over_stretch(const Piece (&pieces)[n], const double stretch)
+    {
+      double energy = 0;
+      for (std::size_t i = 0; i < n && stretch > pieces[i].x0; ++i)
+        {
+          const auto [x0, c2, c1, c0] = pieces[i];
+          const double x1             = i + 1 < n ? std::min(stretch, pieces[i + 1].x0) : stretch;
+          energy += 0.5 * c2 * (x1 * x1 - x0 * x0) + (c1 - 2 * c2 * x0) * (x1 - x0) + (c0 - c1 * x0 + c2 * x0 * x0) * std::log(x1 / x0);
+        }
+      return energy;
+    }
+  } // namespace
+
   double passive_energy(const double stretch)
   {
-    // Antiderivative of (c2 (s - x0)^2 + c1 (s - x0) + c0)/s, piece by piece between the knots of passive().
-    constexpr double knots[5] = {1, 1.25, 1.5, 1.65, 1e300};
-    constexpr double c[4][3]  = {{2.353845, 0, 0}, {3.436357, 1.176922, 0.147115}, {0.427408, 2.895101, 0.656118}, {0, 3.023323, 1.1}};
-    double           energy   = 0;
-    for (int piece = 0; piece < 4 && stretch > knots[piece]; ++piece)
-      {
-        const double x0 = knots[piece], x1 = std::min(stretch, knots[piece + 1]);
-        const double c2 = c[piece][0], c1 = c[piece][1], c0 = c[piece][2];
-        energy += 0.5 * c2 * (x1 * x1 - x0 * x0) + (c1 - 2 * c2 * x0) * (x1 - x0) + (c0 - c1 * x0 + c2 * x0 * x0) * std::log(x1 / x0);
-      }
-    return energy;
+    constexpr Piece pieces[] = {
+        {1, 2.353845, 0, 0}, {1.25, 3.436357, 1.176922, 0.147115}, {1.5, 0.427408, 2.895101, 0.656118}, {1.65, 0, 3.023323, 1.1}};
+    return integral_over_stretch(pieces, stretch);
+  }
+
+  double tendon_energy(const double stretch)
+  {
+    constexpr Piece pieces[] = {{1, 515.882034, 0.01, 0.01},
+                                {1.01, 600.590242, 10.327641, 0.061688},
+                                {1.02, -9.975322, 22.339446, 0.225024},
+                                {1.15, 0, 19.745862, 2.960569}};
+    return stretch < 1 ? 0.01 * (stretch - 1) : integral_over_stretch(pieces, stretch);
   }
 } // namespace myolines::curves

@@ -14,6 +14,7 @@ namespace myolines
     public:
       Slab(const Muscle3dSystem &system, const SlabRule rule)
         : length_(system.parameters().geometry.size[0])
+        , start_(system.parameters().geometry.start())
         , rule_(rule)
         , element_(system.discretisation().element)
       {}
@@ -22,32 +23,29 @@ namespace myolines
       {
         if (rule_ == SlabRule::whole_cells)
           return inside(cell->center()[0], 0.); // exact comparison, as the peer
-        const int              n = element_.n_points_1d;
-        const dealii::Point<3> unit(element_.point[q % n], element_.point[(q / n) % n], element_.point[q / (n * n)]);
-        double                 x = 0;
-        for (const unsigned int v : cell->vertex_indices())
-          x += dealii::GeometryInfo<3>::d_linear_shape_function(unit, v) * cell->vertex(v)[0];
-        return inside(x, 1e-12 * length_);
+        return inside(point_position(element_, cell, q)[0], 1e-12 * length_);
       }
 
     private:
-      bool inside(const double x, const double tolerance) const
+      bool inside(const double position, const double tolerance) const
       {
+        const double x = position - start_;
         return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance;
       }
 
-      double         length_;
+      double         length_, start_;
       SlabRule       rule_;
       const Element &element_;
     };
 
     void add_active_powers(const Muscle3dParameters &parameters, const double activation, const PointState &p, Powers &powers)
     {
-      const TissueParameters &tissue = parameters.tissue;
-      const double            lam    = p.isochoric_stretch;
-      const double            power  = p.JxW * tissue.fibre.sigma0 * activation * curves::active(lam).value * p.isochoric_rate / lam;
+      if (p.material[material_active] == 0)
+        return;
+      const double lam   = p.isochoric_stretch;
+      const double power = p.JxW * p.material[material_active] * activation * curves::active(lam).value * p.isochoric_rate / lam;
       powers.active_power -= power;
-      if (parameters.dynamic && tissue.fibre.force_velocity)
+      if (parameters.dynamic && parameters.muscle().fibre.force_velocity)
         powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate).value - 1);
     }
 
@@ -61,15 +59,14 @@ namespace myolines
 
     void add_energies(const Muscle3dParameters &parameters, const double activation, const PointState &p, BodyMeasures &m)
     {
-      const TissueParameters &tissue = parameters.tissue;
-      const double            lam    = p.isochoric_stretch;
-      const double            I1     = std::pow(p.J, -2. / 3) * p.F.norm_square() - 3;
-      const double            D      = p.dilatation;
-      m.stored_volumetric += p.JxW * tissue.bulk_modulus / 4 * (D * D - 2 * std::log(D) - 1);
-      m.stored_base += p.JxW * tissue.base.scale * I1 * (tissue.base.c[0] + I1 * (tissue.base.c[1] + I1 * tissue.base.c[2]));
-      m.stored_passive += p.JxW * tissue.fibre.sigma0 * curves::passive_energy(lam);
+      const double *material = p.material.data(), *C = material + material_yeoh;
+      const double  lam = p.isochoric_stretch, I1 = std::pow(p.J, -2. / 3) * p.F.norm_square() - 3, D = p.dilatation;
+      m.stored_volumetric += p.JxW * material[material_bulk] / 4 * (D * D - 2 * std::log(D) - 1);
+      m.stored_base += p.JxW * I1 * (C[0] + I1 * (C[1] + I1 * C[2]));
+      m.stored_passive += p.JxW * material[material_passive] * curves::passive_energy(lam);
+      m.stored_tendinous += p.JxW * material[material_tendon] * curves::tendon_energy(lam);
       if (parameters.dynamic)
-        m.kinetic += p.JxW * tissue.density / 2 * p.velocity.norm_square();
+        m.kinetic += p.JxW * material[material_density] / 2 * p.velocity.norm_square();
       if (activation != 0)
         add_active_powers(parameters, activation, p, m);
 
@@ -77,36 +74,19 @@ namespace myolines
       const Parts<Matrix3> P        = stress_parts(parameters, activation, p);
       // (Grad U) F^(-1) : tau with tau = P F^T
       const auto density = [&](const Matrix3 &stress) { return p.JxW * scalar_product(gradient * invert(p.F), stress * transpose(p.F)); };
-      m.work_density.volumetric += density(P.volumetric);
-      m.work_density.muscle_active += density(P.muscle_active);
-      m.work_density.muscle_passive += density(P.muscle_passive);
-      m.work_density.muscle_base += density(P.muscle_base);
+      for (unsigned int part = 0; part < n_stress_parts; ++part)
+        m.work_density.part[part] += density(P.part[part]);
     }
 
     /// Sums over all ranks; the slab sums are still volume integrals.
     void reduce(BodyMeasures &m, const MPI_Comm communicator)
     {
-      for (double *x : {&m.volume,
-                        &m.kinetic,
-                        &m.stored_volumetric,
-                        &m.stored_base,
-                        &m.stored_passive,
-                        &m.active_power,
-                        &m.dissipation,
-                        &m.work_density.volumetric,
-                        &m.work_density.muscle_active,
-                        &m.work_density.muscle_passive,
-                        &m.work_density.muscle_base,
-                        &m.slab_volume,
-                        &m.mean_stretch,
-                        &m.mean_pennation,
-                        &m.mean_strain_rate,
-                        &m.mean_velocity[0],
-                        &m.mean_velocity[1],
-                        &m.mean_velocity[2],
-                        &m.l2_displacement,
-                        &m.l2_pressure})
+      for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.stored_tendinous,
+                        &m.active_power, &m.dissipation, &m.slab_volume, &m.mean_stretch, &m.mean_pennation, &m.mean_strain_rate,
+                        &m.mean_velocity[0], &m.mean_velocity[1], &m.mean_velocity[2], &m.l2_displacement, &m.l2_pressure})
         *x = dealii::Utilities::MPI::sum(*x, communicator);
+      for (double &x : m.work_density.part)
+        x = dealii::Utilities::MPI::sum(x, communicator);
       m.min_jacobian = dealii::Utilities::MPI::min(m.min_jacobian, communicator);
       m.max_jacobian = dealii::Utilities::MPI::max(m.max_jacobian, communicator);
     }
@@ -128,7 +108,7 @@ namespace myolines
       m.l2_displacement += p.JxW * p.displacement.norm_square();
       m.l2_pressure += p.JxW * p.pressure * p.pressure;
       add_energies(parameters, activation, p, m);
-      if (slab.contains(cell, q))
+      if (p.material_id == muscle_id && slab.contains(cell, q))
         {
           const double dv = p.JxW * p.J;
           m.slab_volume += dv;
@@ -140,9 +120,8 @@ namespace myolines
     });
     reduce(m, system.discretisation().communicator);
 
-    for (double *x :
-         {&m.work_density.volumetric, &m.work_density.muscle_active, &m.work_density.muscle_passive, &m.work_density.muscle_base})
-      *x /= m.volume;
+    for (double &x : m.work_density.part)
+      x /= m.volume;
     m.l2_displacement = std::sqrt(m.l2_displacement);
     m.l2_pressure     = std::sqrt(m.l2_pressure);
     if (m.slab_volume > 0)
@@ -184,7 +163,7 @@ namespace myolines
     const auto                               &conditions = system.parameters().boundary;
     for (auto condition = conditions.rbegin(); condition != conditions.rend(); ++condition)
       {
-        if (condition->type == BoundaryCondition::Type::traction)
+        if (!condition->prescribes_motion())
           continue;
         Reaction reaction;
         reaction.condition = condition->name;

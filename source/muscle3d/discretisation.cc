@@ -31,7 +31,7 @@ namespace myolines
     , tables(kernel_tables(element))
     , scratch_(kernels.scratch_size(element.n_points_1d, element.n_modes))
   {
-    make_block(mesh, parameters.geometry.size, parameters.geometry.cells, parameters.geometry.refinement);
+    make_mesh(parameters.geometry, mesh);
     set_up(parameters);
   }
 
@@ -43,27 +43,25 @@ namespace myolines
     constrain(parameters, *space, constraints);
   }
 
-  CellSweep::CellSweep(const Element &element, const CellBatches &batches)
+  CellSweep::CellSweep(const Element &element, const CellBatches &batches, const PointMaterials &materials)
     : element(element)
     , batches(batches)
+    , materials(materials)
     , tables(kernel_tables(element))
   {}
 
   KernelCells CellSweep::cells(const unsigned int b) const
   {
-    return {batches.nodes(b), batches.geometry(b), batches.geometry_stride(b), batches.inverse_mode_mass(b),
-            static_cast<int>(batches.n_filled(b))};
+    return {batches.nodes(b),    batches.geometry(b), batches.geometry_stride(b), batches.inverse_mode_mass(b),         materials.values(b),
+            materials.stride(b), materials.muscle(b), materials.tendon(b),        static_cast<int>(batches.n_filled(b))};
   }
 
   KernelModel kernel_model(const Muscle3dParameters &parameters, const double activation)
   {
     KernelModel model;
-    model.tissue = parameters.tissue;
-    for (int i = 0; i < 3; ++i)
-      model.fibre_direction[i] = parameters.fibre_direction[i];
     model.activation    = activation;
     model.active        = parameters.activation != nullptr && activation != 0;
-    model.rate          = model.active && parameters.dynamic && parameters.tissue.fibre.force_velocity;
+    model.rate          = model.active && parameters.dynamic && parameters.muscle().fibre.force_velocity;
     model.inertia       = parameters.dynamic;
     model.exact_tangent = parameters.exact_tangent;
     return model;

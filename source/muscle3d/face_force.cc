@@ -51,16 +51,14 @@ namespace myolines
                   {
                     const Parts<Matrix3> P    = stress_parts(system.parameters(), activation, states.point(nearest[q], lane));
                     const Vector3        area = values.normal_vector(q) * values.JxW(q);
-                    force.volumetric += P.volumetric * area;
-                    force.muscle_active += P.muscle_active * area;
-                    force.muscle_passive += P.muscle_passive * area;
-                    force.muscle_base += P.muscle_base * area;
+                    for (unsigned int part = 0; part < n_stress_parts; ++part)
+                      force.part[part] += P.part[part] * area;
                   }
               }
       }
-    for (Vector3 *part : {&force.volumetric, &force.muscle_active, &force.muscle_passive, &force.muscle_base})
+    for (Vector3 &part : force.part)
       for (unsigned int c = 0; c < 3; ++c)
-        (*part)[c] = dealii::Utilities::MPI::sum((*part)[c], d.communicator);
+        part[c] = dealii::Utilities::MPI::sum(part[c], d.communicator);
     return force;
   }
 } // namespace myolines

@@ -35,11 +35,13 @@ namespace myolines
           {"fibre direction y", [](const Parameters &, double, const PointState &p) { return p.fibre[1] / p.stretch; }},
           {"fibre direction z", [](const Parameters &, double, const PointState &p) { return p.fibre[2] / p.stretch; }},
           {"active stress",
-           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_active, p).norm(); }},
+           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p)[muscle_active], p).norm(); }},
           {"passive stress",
-           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_passive, p).norm(); }},
-          {"base stress",
-           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).muscle_base, p).norm(); }},
+           [](const Parameters &m, double a, const PointState &p) {
+             return cauchy(stress_parts(m, a, p)[passive_fibre_part(p.material_id)], p).norm();
+           }},
+          {"base stress", [](const Parameters &m, double a,
+                             const PointState &p) { return cauchy(stress_parts(m, a, p)[base_part(p.material_id)], p).norm(); }},
           {"stress xx", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).total(), p)[0][0]; }}};
       return fields;
     }

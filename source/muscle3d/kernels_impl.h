@@ -24,9 +24,11 @@ namespace myolines
     using Base::expand;
     using Base::F;
     using Base::F_rate;
+    using Base::fibres;
     using Base::inverse;
     using Base::JxW;
     using Base::m;
+    using Base::material;
     using Base::max_modes;
     using Base::mode;
     using Base::n_nodes;
@@ -95,7 +97,7 @@ namespace myolines
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
-          const PointLaw<T>   law(m, k, F_rate + 9 * q, expand(pressure, q));
+          const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
           T                   P[9];
           law.stress(P);
           const T weight = JxW(q);
@@ -116,7 +118,7 @@ namespace myolines
     {
       for (int q = 0; q < n_points; ++q)
         {
-          const T weight = T(factor * m.tissue.density) * JxW(q);
+          const T weight = T(factor) * material(q)[material_density] * JxW(q);
           for (int a = 0; a < 3; ++a)
             values[a * n_points + q] *= weight;
         }
@@ -129,7 +131,7 @@ namespace myolines
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
-          const PointLaw<T>   law(m, k, F_rate + 9 * q, expand(pressure, q));
+          const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
           law.store(F_rate + 9 * q, JxW(q), tangent + q * size);
         }
       volumetric_modes(1, tangent + n_points * size);
@@ -153,7 +155,7 @@ namespace myolines
           for (int q = 0; q < n_points; ++q)
             {
               T dP[9];
-              tangent_action(m, tangent + q * size, dF + 9 * q, JxW(q), w[0], w[1], dP, cofactor + 9 * q);
+              tangent_action(m, material(q), tangent + q * size, dF + 9 * q, JxW(q), w[0], w[1], dP, cofactor + 9 * q);
               const T change = dot(cofactor + 9 * q, dF + 9 * q);
               for (int i = 0; i < t.n_modes; ++i)
                 moments[i] += mode(q, i) * change;
@@ -183,7 +185,7 @@ namespace myolines
     T volumetric_stiffness(const int q) const
     {
       const T D = expand(dilatation, q);
-      return T(0.5 * m.tissue.bulk_modulus) * (T(1.) + T(1.) / (D * D));
+      return T(0.5) * material(q)[material_bulk] * (T(1.) + T(1.) / (D * D));
     }
 
     void fill_matrices(const double w[3], const double *u, const double *v, T *matrices)
@@ -192,14 +194,14 @@ namespace myolines
       const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.rate);
       if (inertia)
         for (int q = 0; q < n_points; ++q)
-          values[q] = T(w[2] * m.tissue.density) * JxW(q);
+          values[q] = T(w[2]) * material(q)[material_density] * JxW(q);
       if (stiffness)
         {
           evaluate_state(u, v);
           for (int q = 0; q < n_points; ++q)
             {
               const Kinematics<T> k(F + 9 * q);
-              const PointLaw<T>   law(m, k, F_rate + 9 * q, expand(pressure, q));
+              const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
               T                   LF[9];
               if (m.rate)
                 law.curvature(F_rate + 9 * q, LF);

@@ -60,6 +60,7 @@ namespace myolines
   struct PointLaw
   {
     const KernelModel   &model;
+    const T             *a0;
     const Kinematics<T> &k;
     T                    power; ///< J^(-2/3)
     T                    I1;
@@ -73,8 +74,10 @@ namespace myolines
     T                    p; ///< p_h
 
     /// @p F_rate is used only if model.rate.
-    MYOLINES_INLINE PointLaw(const KernelModel &m, const Kinematics<T> &kinematics, const T *F_rate, const T &pressure)
+    MYOLINES_INLINE PointLaw(const KernelModel &m, const FibreTerms &terms, const T *material, const Kinematics<T> &kinematics,
+                             const T *F_rate, const T &pressure)
       : model(m)
+      , a0(material + material_direction)
       , k(kinematics)
       , p(pressure)
     {
@@ -83,33 +86,25 @@ namespace myolines
       I1           = power * dot(k.F, k.F);
       for (int i = 0; i < 9; ++i)
         Q[i] = T(2.) * power * k.F[i] - T(2. / 3.) * I1 * k.H[i];
-      base = yeoh(m.tissue.base, I1);
+      base = yeoh(material, I1);
 
       T length(0.);
       for (int i = 0; i < 3; ++i)
         {
           a[i] = T(0.);
           for (int j = 0; j < 3; ++j)
-            a[i] += k.F[3 * i + j] * T(m.fibre_direction[j]);
+            a[i] += k.F[3 * i + j] * a0[j];
           length += a[i] * a[i];
         }
       square = T(1.) / length;
       lam    = root * sqrt(length);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          N[3 * i + j] = a[i] * T(m.fibre_direction[j]) * square - T(1. / 3.) * k.H[3 * i + j];
+          N[3 * i + j] = a[i] * a0[j] * square - T(1. / 3.) * k.H[3 * i + j];
 
-      const T activation(m.activation);
-      if (!m.active)
-        fibre = muscle_fibre<false, false>(m.tissue.fibre, activation, lam, T(0.));
-      else if (!m.rate)
-        fibre = muscle_fibre<true, false>(m.tissue.fibre, activation, lam, T(0.));
-      else
-        {
-          fibre =
-              muscle_fibre<true, true>(m.tissue.fibre, activation, lam, lam * dot(N, F_rate) * T(1. / m.tissue.fibre.maximum_strain_rate));
-          fibre.g_strain_rate *= T(1. / m.tissue.fibre.maximum_strain_rate); // per unit of lam-dot from here on
-        }
+      const T slowness = material[material_slowness];
+      fibre            = fibre_stress(material, terms, lam, m.rate ? lam * dot(N, F_rate) * slowness : T(0.));
+      fibre.g_strain_rate *= slowness; // per unit of lam-dot from here on
     }
 
     /// First Piola-Kirchhoff stress P = p J H + psi1 Q + g G.
@@ -128,14 +123,14 @@ namespace myolines
         {
           Xa[i] = T(0.);
           for (int j = 0; j < 3; ++j)
-            Xa[i] += X[3 * i + j] * T(model.fibre_direction[j]);
+            Xa[i] += X[3 * i + j] * a0[j];
           aXa += a[i] * Xa[i];
         }
       HXtH(k.H, X, HX);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          Y[3 * i + j] = lam * (N[3 * i + j] * NX + (square * Xa[i] - T(2.) * square * square * aXa * a[i]) * T(model.fibre_direction[j]) +
-                                T(1. / 3.) * HX[3 * i + j]);
+          Y[3 * i + j] =
+              lam * (N[3 * i + j] * NX + (square * Xa[i] - T(2.) * square * square * aXa * a[i]) * a0[j] + T(1. / 3.) * HX[3 * i + j]);
     }
 
     /// The fields of TangentValue, with JxW = @p weight.
@@ -165,7 +160,7 @@ namespace myolines
     MYOLINES_INLINE void coefficients(const T *inverse, const T *LF, const double w_u, const double w_v, const T &weight, T *c,
                                       const int stride9, const int stride) const
     {
-      T h[9], q[9], n[9], l[9], a0[3], metric[9];
+      T h[9], q[9], n[9], l[9], along_unit[3], metric[9];
       pull(inverse, k.H, h);
       pull(inverse, Q, q);
       pull(inverse, N, n);
@@ -173,8 +168,7 @@ namespace myolines
         pull(inverse, LF, l);
       for (int A = 0; A < 3; ++A)
         {
-          a0[A] = inverse[3 * A] * T(model.fibre_direction[0]) + inverse[3 * A + 1] * T(model.fibre_direction[1]) +
-                  inverse[3 * A + 2] * T(model.fibre_direction[2]);
+          along_unit[A] = inverse[3 * A] * a0[0] + inverse[3 * A + 1] * a0[1] + inverse[3 * A + 2] * a0[2];
           for (int B = 0; B < 3; ++B)
             metric[3 * A + B] =
                 inverse[3 * A] * inverse[3 * B] + inverse[3 * A + 1] * inverse[3 * B + 1] + inverse[3 * A + 2] * inverse[3 * B + 2];
@@ -207,11 +201,11 @@ namespace myolines
               {
                 const int i = 3 * a_ + A, j = 3 * b_ + B;
                 T         s = h[i] * right[0][j] + q[i] * right[1][j] + n[i] * right[2][j] + cross * h[3 * a_ + B] * h[3 * b_ + A];
-                s += aa * a[a_] * a[b_] * a0[A] * a0[B];
+                s += aa * a[a_] * a[b_] * along_unit[A] * along_unit[B];
                 if (symmetrise)
                   s += nl * l[i] * n[j];
                 if (a_ == b_)
-                  s += diagonal * metric[3 * A + B] + along * a0[A] * a0[B];
+                  s += diagonal * metric[3 * A + B] + along * along_unit[A] * along_unit[B];
                 c[(3 * a_ + b_) * stride9 + (3 * A + B) * stride] = s;
               }
     }
@@ -228,21 +222,20 @@ namespace myolines
   /// The tangent action at a point from stored fields t (TangentValue), times JxW, without the change of p_h:
   /// dP = w_u dP/dF : dF + w_v dP/dFdot : dF. Gives J H JxW too, from which that change is made; @p JxW is the weight.
   template <typename T>
-  MYOLINES_INLINE void tangent_action(const KernelModel &model, const T *t, const T *dF, const T &JxW, const double w_u, const double w_v,
-                                      T *dP, T *cofactor)
+  MYOLINES_INLINE void tangent_action(const KernelModel &model, const T *material, const T *t, const T *dF, const T &JxW, const double w_u,
+                                      const double w_v, T *dP, T *cofactor)
   {
     const Kinematics<T> k(t + tangent_F);
     const T             u(w_u), power = t[tangent_power], psi1 = u * t[tangent_psi1], pJ = u * t[tangent_p], g = u * t[tangent_g];
     const T             I1 = power * dot(k.F, k.F), HdF = dot(k.H, dF), QdF = T(2.) * power * dot(k.F, dF) - T(2. / 3.) * I1 * HdF;
     const T             along_Q = u * t[tangent_psi2] * QdF - T(2. / 3.) * psi1 * HdF;
 
-    T a[3], da[3], aa(0.), ada(0.); // F a0, dF a0
+    const T *a0 = material + material_direction;
+    T        a[3], da[3], aa(0.), ada(0.); // F a0, dF a0
     for (int i = 0; i < 3; ++i)
       {
-        a[i] = k.F[3 * i] * T(model.fibre_direction[0]) + k.F[3 * i + 1] * T(model.fibre_direction[1]) +
-               k.F[3 * i + 2] * T(model.fibre_direction[2]);
-        da[i] = dF[3 * i] * T(model.fibre_direction[0]) + dF[3 * i + 1] * T(model.fibre_direction[1]) +
-                dF[3 * i + 2] * T(model.fibre_direction[2]);
+        a[i]  = k.F[3 * i] * a0[0] + k.F[3 * i + 1] * a0[1] + k.F[3 * i + 2] * a0[2];
+        da[i] = dF[3 * i] * a0[0] + dF[3 * i + 1] * a0[1] + dF[3 * i + 2] * a0[2];
         aa += a[i] * a[i];
         ada += a[i] * da[i];
       }
@@ -267,7 +260,7 @@ namespace myolines
         for (int j = 0; j < 3; ++j)
           {
             const int c = 3 * i + j;
-            dP[c]       = on_dF * dF[c] + on_F * k.F[c] + on_H * k.H[c] + on_HdFtH * HdFtH[c] + fibre * T(model.fibre_direction[j]);
+            dP[c]       = on_dF * dF[c] + on_F * k.F[c] + on_H * k.H[c] + on_HdFtH * HdFtH[c] + fibre * a0[j];
             cofactor[c] = volume * k.H[c];
           }
       }

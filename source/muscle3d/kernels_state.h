@@ -24,6 +24,7 @@ namespace myolines
       : t(tables)
       , m(model)
       , cells(cells)
+      , fibres{cells.muscle, cells.muscle && m.active, m.rate, cells.tendon, m.activation}
       , n_points(t.n_points_1d * t.n_points_1d * t.n_points_1d)
       , F(reinterpret_cast<T *>(scratch))
       , F_rate(F + 9 * n_points)
@@ -37,8 +38,9 @@ namespace myolines
     {
       return reinterpret_cast<const T *>(cells.geometry + std::size_t(q) * cells.geometry_stride)[k];
     }
-    T JxW(const int q) const { return inverse(q, 9) * T(t.weight[q]); }
-    T mode(const int q, const int i) const { return T(t.modes[q * t.n_modes + i]); }
+    const T *material(const int q) const { return reinterpret_cast<const T *>(cells.material + std::size_t(q) * cells.material_stride); }
+    T        JxW(const int q) const { return inverse(q, 9) * T(t.weight[q]); }
+    T        mode(const int q, const int i) const { return T(t.modes[q * t.n_modes + i]); }
 
     void gather(const double *x, T *nodal) const
     {
@@ -146,7 +148,7 @@ namespace myolines
         {
           const T D = expand(dilatation, q);
           require_positive(D);
-          add_moments(T(0.5 * m.tissue.bulk_modulus) * (D - T(1.) / D), q, moments);
+          add_moments(T(0.5) * material(q)[material_bulk] * (D - T(1.) / D), q, moments);
         }
       project(moments, pressure);
       for (int lane = 0; lane < cells.n_filled; ++lane)
@@ -176,6 +178,7 @@ namespace myolines
     const KernelTables &t;
     const KernelModel  &m;
     const KernelCells  &cells;
+    const FibreTerms    fibres;
     const int           n_points;
     T                  *F;            ///< [n_points][9]
     T                  *F_rate;       ///< [n_points][9]

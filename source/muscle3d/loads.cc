@@ -10,7 +10,9 @@ namespace myolines
   {
     for (const BoundaryCondition &condition : parameters.boundary)
       if (condition.type == BoundaryCondition::Type::traction)
-        tractions_.push_back({condition.face, VectorFormula(condition.traction)});
+        tractions_.push_back({&condition, VectorFormula(condition.traction)});
+      else if (condition.type == BoundaryCondition::Type::pressure)
+        tractions_.push_back({&condition, {}});
       else
         {
           motions_.push_back({&condition, discretisation.space->face_nodes(condition.face), {}});
@@ -47,32 +49,50 @@ namespace myolines
       }
   }
 
-  void Loads::add_tractions(const double t, Vector &f) const
+  dealii::Tensor<1, 3> Loads::Traction::value(const dealii::Point<3> &x, const dealii::Tensor<1, 3> &normal, const double t,
+                                              const double factor) const
+  {
+    dealii::Tensor<1, 3> T;
+    for (unsigned int c = 0; c < 3; ++c)
+      if (x[c] < condition->low[c] || x[c] > condition->high[c])
+        return T;
+    if (!formula)
+      return -condition->pressure * factor * normal;
+    for (unsigned int c = 0; c < 3; ++c)
+      T[c] = formula->zero(c) ? 0 : (*formula)(c, x, t);
+    return T;
+  }
+
+  void Loads::add_tractions(const double t, const Side side, Vector &f) const
   {
     if (tractions_.empty())
       return;
     const NodeSpace                             &space = *discretisation_.space;
     const dealii::FiniteElement<3>              &fe    = space.nodes().get_fe();
     dealii::FEFaceValues<3>                      values(fe, dealii::QGauss<2>(discretisation_.element.n_points_1d),
-                                                        dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values);
+                                                        dealii::update_values | dealii::update_quadrature_points | dealii::update_normal_vectors |
+                                                            dealii::update_JxW_values);
     std::vector<dealii::types::global_dof_index> nodes(fe.n_dofs_per_cell());
     for (const Traction &traction : tractions_)
-      for (const auto &cell : space.nodes().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int face : cell->face_indices())
-            if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == traction.face)
-              {
-                values.reinit(cell, face);
-                cell->get_dof_indices(nodes);
-                for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-                  for (unsigned int c = 0; c < 3; ++c)
-                    if (!traction.formula.zero(c))
-                      {
-                        const double weighted = traction.formula(c, values.quadrature_point(q), t) * values.JxW(q);
+      {
+        const double factor = traction.condition->profile ? traction.condition->profile->value(t, side) : 1.;
+        for (const auto &cell : space.nodes().active_cell_iterators())
+          if (cell->is_locally_owned())
+            for (const unsigned int face : cell->face_indices())
+              if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == traction.condition->face)
+                {
+                  values.reinit(cell, face);
+                  cell->get_dof_indices(nodes);
+                  for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+                    {
+                      const auto T = values.JxW(q) * traction.value(values.quadrature_point(q), values.normal_vector(q), t, factor);
+                      if (T.norm_square() > 0)
                         for (unsigned int i = 0; i < nodes.size(); ++i)
-                          f(3 * nodes[i] + c) += weighted * values.shape_value(i, q);
-                      }
-              }
+                          for (unsigned int c = 0; c < 3; ++c)
+                            f(3 * nodes[i] + c) += T[c] * values.shape_value(i, q);
+                    }
+                }
+      }
   }
 
   void Loads::add_body_force(const double t, Vector &f) const
@@ -100,10 +120,10 @@ namespace myolines
         }
   }
 
-  void Loads::subtract_external(const double t, Vector &r) const
+  void Loads::subtract_external(const double t, const Side side, Vector &r) const
   {
     Vector f = discretisation_.space->make_vector();
-    add_tractions(t, f);
+    add_tractions(t, side, f);
     add_body_force(t, f);
     f.compress(dealii::VectorOperation::add);
     r -= f;
@@ -112,7 +132,7 @@ namespace myolines
   double Loads::traction_power(const double t, const Vector &v) const
   {
     Vector f = discretisation_.space->make_vector();
-    add_tractions(t, f);
+    add_tractions(t, Side::left, f);
     f.compress(dealii::VectorOperation::add);
     return f * v;
   }

@@ -15,9 +15,10 @@ namespace myolines
   }
 
   Muscle3dLinearisation::Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
-                                               WorkLedger &ledger)
+                                               const PointMaterials &materials, WorkLedger &ledger)
     : parameters_(parameters)
     , discretisation_(discretisation)
+    , materials_(materials)
     , ledger_(ledger)
     , u_(discretisation.space->make_vector())
     , v_(u_)
@@ -77,10 +78,10 @@ namespace myolines
     const Weights      &w = weights[2];
     if (!stored_ && (w.u != 0 || (w.v != 0 && model_.rate)))
       {
-        store(discretisation_.sweep(), tangents_);
+        store(discretisation_.sweep(materials_), tangents_);
         stored_ = true;
       }
-    apply(discretisation_.sweep(), tangents_, model_, w, current.vector(), y);
+    apply(discretisation_.sweep(materials_), tangents_, model_, w, current.vector(), y);
     ledger_.count("tangent actions");
   }
 
@@ -109,7 +110,7 @@ namespace myolines
     if (!matrix_)
       matrix_ = std::make_unique<BlockMatrix>(*d.space, *d.batches, d.element.n_nodes, d.constraints);
     matrix_->clear();
-    for_each_matrix(d.sweep(), w, [&](const unsigned int b, double *matrices) { matrix_->add(b, matrices); });
+    for_each_matrix(d.sweep(materials_), w, [&](const unsigned int b, double *matrices) { matrix_->add(b, matrices); });
     assembled_ = w;
     current_   = true;
     return matrix_->matrix();
@@ -123,21 +124,22 @@ namespace myolines
     return multilevel_.get();
   }
 
-  Muscle3dLinearisation::LeanCells::LeanCells(const NodeSpace &space)
+  Muscle3dLinearisation::LeanCells::LeanCells(const NodeSpace &space, const Muscle3dParameters &parameters)
     : element(space.degree(), space.degree() + 1)
     , batches(space, element)
+    , materials(parameters, batches, element)
   {}
 
   CellSweep Muscle3dLinearisation::lean_sweep() const
   {
-    return lean_ ? CellSweep{lean_->element, lean_->batches} : discretisation_.sweep();
+    return lean_ ? CellSweep{lean_->element, lean_->batches, lean_->materials} : discretisation_.sweep(materials_);
   }
 
   void Muscle3dLinearisation::make_two_level()
   {
     const Muscle3dDiscretisation &d = discretisation_;
     if (d.element.n_points_1d > d.element.n_nodes_1d)
-      lean_ = std::make_unique<LeanCells>(*d.space);
+      lean_ = std::make_unique<LeanCells>(*d.space, parameters_);
     stars_     = std::make_unique<VertexStars>(*d.space, lean_sweep().batches, lean_sweep().element, d.constraints);
     two_level_ = std::make_unique<TwoLevel>(TwoLevel{stars_->patches(),
                                                      stars_->interpolation(),

@@ -19,7 +19,8 @@ namespace myolines
   class Muscle3dLinearisation : public Linearisation
   {
   public:
-    Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation, WorkLedger &ledger);
+    Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
+                          const PointMaterials &materials, WorkLedger &ledger);
 
     void refill(const Point &point, double activation);
 
@@ -44,16 +45,18 @@ namespace myolines
     /// Quadrature with as few points as keep the stiffness, for preconditioners of a richer one.
     struct LeanCells
     {
-      LeanCells(const NodeSpace &space);
-      const Element     element;
-      const CellBatches batches;
-      Tangents          tangents;
+      LeanCells(const NodeSpace &space, const Muscle3dParameters &parameters);
+      const Element        element;
+      const CellBatches    batches;
+      const PointMaterials materials;
+      Tangents             tangents;
     };
     CellSweep lean_sweep() const;
     void      make_two_level();
 
     const Muscle3dParameters               &parameters_;
     const Muscle3dDiscretisation           &discretisation_;
+    const PointMaterials                   &materials_;
     WorkLedger                             &ledger_;
     KernelModel                             model_{};
     Vector                                  u_, v_;

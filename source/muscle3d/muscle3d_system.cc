@@ -1,5 +1,6 @@
 #include "muscle3d_linearisation.h"
 
+#include <myolines/base/error.h>
 #include <myolines/fem/block_matrix.h>
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/muscle3d_system.h>
@@ -16,8 +17,16 @@ namespace myolines
     : parameters_(std::move(parameters))
     , ledger_(ledger)
     , discretisation_(std::move(discretisation))
+    , materials_(std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element))
     , loads_(std::make_unique<Loads>(parameters_, *discretisation_))
-  {}
+  {
+    // All ranks agree on what is wrong, that of the first rank that found something.
+    const std::vector<std::string> problems = dealii::Utilities::MPI::all_gather(discretisation_->communicator, materials_->problem());
+    for (const std::string &problem : problems)
+      if (!problem.empty())
+        throw InputError(InputProblem{"system/fields", problem,
+                                      "fat fractions in [0, 1], stresses and scales >= 0, fibre directions, everywhere in the body", ""});
+  }
 
   Muscle3dSystem::~Muscle3dSystem() = default;
 
@@ -26,14 +35,15 @@ namespace myolines
     loads_.reset();
     dealii::GridTools::transform(map, discretisation_->mesh);
     discretisation_->set_up(parameters_);
-    loads_ = std::make_unique<Loads>(parameters_, *discretisation_);
+    materials_ = std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element);
+    loads_     = std::make_unique<Loads>(parameters_, *discretisation_);
   }
 
   Capabilities Muscle3dSystem::capabilities() const
   {
     Capabilities c;
     c.inertia           = parameters_.dynamic;
-    c.rates             = parameters_.dynamic && parameters_.activation && parameters_.tissue.fibre.force_velocity;
+    c.rates             = parameters_.dynamic && parameters_.activation && parameters_.muscle().fibre.force_velocity;
     c.symmetric_tangent = !c.rates || !parameters_.exact_tangent;
     c.energy            = true;
     c.splits            = splits();
@@ -56,6 +66,8 @@ namespace myolines
     return state;
   }
 
+  CellSweep Muscle3dSystem::sweep() const { return discretisation_->sweep(*materials_); }
+
   const Constraints &Muscle3dSystem::constraints() const { return discretisation_->constraints; }
 
   void Muscle3dSystem::prescribed(const double t, const Side side, State &state) const
@@ -74,12 +86,13 @@ namespace myolines
     const Muscle3dDiscretisation &d     = *discretisation_;
     const KernelModel             model = kernel_model(parameters_, activation(point.t, point.side));
     const CurrentGhosts           u(point.u), v(point.v, model.rate), a(point.a, model.inertia);
+    const CellSweep               cells = sweep();
 
     r.zero_out_ghost_values();
     r          = 0;
     bool valid = true;
     for (unsigned int b = 0; b < d.batches->n_owned_batches() && valid; ++b)
-      valid = d.kernels.residual(d.tables, model, d.kernel_cells(b), u.begin(), v.begin(), a.begin(), r.begin(), d.scratch());
+      valid = d.kernels.residual(d.tables, model, cells.cells(b), u.begin(), v.begin(), a.begin(), r.begin(), d.scratch());
     count_terms(model, "residual", ledger_);
 
     if (dealii::Utilities::MPI::min(valid ? 1 : 0, d.communicator) == 0)
@@ -90,13 +103,13 @@ namespace myolines
       }
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
-      loads_->subtract_external(point.t, r);
+      loads_->subtract_external(point.t, point.side, r);
     return {};
   }
 
   std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const
   {
-    return std::make_unique<Muscle3dLinearisation>(parameters_, *discretisation_, ledger_);
+    return std::make_unique<Muscle3dLinearisation>(parameters_, *discretisation_, *materials_, ledger_);
   }
 
   void Muscle3dSystem::linearise(const Point &point, Linearisation &linearisation) const
@@ -112,8 +125,8 @@ namespace myolines
       times.insert(times.end(), kinks.begin(), kinks.end());
     };
     for (const BoundaryCondition &condition : parameters_.boundary)
-      if (condition.strain)
-        add(*condition.strain);
+      if (condition.drive())
+        add(*condition.drive());
     if (parameters_.activation)
       add(*parameters_.activation);
     std::sort(times.begin(), times.end());

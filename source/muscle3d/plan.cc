@@ -12,20 +12,22 @@ namespace myolines
     };
     const bool               rates = capabilities().rates;
     std::vector<std::string> lines;
+    if (p.geometry.gmsh)
+      lines = p.geometry.gmsh->report;
     lines.push_back(line("inertia", p.dynamic, p.dynamic ? "dynamic" : "quasi-static: no mass matrix is built"));
     lines.push_back(line("active stress", p.activation != nullptr,
-                         p.activation ? "activation is given; skipped while it is zero up to the next event" : "no activation, or an activation that is always zero"));
+                         p.activation ? "activation is given; skipped while it is zero up to the next event"
+                                      : "no activation, or an activation that is always zero"));
     lines.push_back(line("force-velocity", rates,
-                         rates                            ? "dynamic and active"
-                         : !p.dynamic                     ? "quasi-static: sV = 1"
-                         : !p.tissue.fibre.force_velocity ? "switched off for the tissue"
-                                                          : "nothing is active"));
+                         rates                              ? "dynamic and active"
+                         : !p.dynamic                       ? "quasi-static: sV = 1"
+                         : !p.muscle().fibre.force_velocity ? "switched off for the tissue"
+                                                            : "nothing is active"));
     lines.push_back(line("passive fibres and base material", true, "always"));
     lines.push_back(line("body force", p.body_force.has_value(), p.body_force ? "given" : "not given"));
-    lines.push_back(
-        line("tractions",
-             std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return c.type == BoundaryCondition::Type::traction; }),
-             "faces without a condition are free"));
+    lines.push_back(line("tractions",
+                         std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return !c.prescribes_motion(); }),
+                         "faces without a condition are free"));
     lines.push_back(std::string("tangent: ") + (capabilities().symmetric_tangent ? "symmetric" : "exact, not symmetric") +
                     "; kernels: " + name(discretisation_->instruction_set) + ", " + std::to_string(n_lanes) + " cells at once");
     return lines;
@@ -33,10 +35,10 @@ namespace myolines
 
   Muscle3dSizes estimate_sizes(const Muscle3dParameters &parameters, const unsigned int ranks)
   {
-    const BlockGeometry &block  = parameters.geometry;
-    const double         k      = parameters.degree;
-    const double         halves = std::exp2(block.refinement);
-    Muscle3dSizes        sizes;
+    const Geometry &block  = parameters.geometry;
+    const double    k      = parameters.degree;
+    const double    halves = std::exp2(block.refinement);
+    Muscle3dSizes   sizes;
     sizes.n_cells    = 1;
     sizes.n_unknowns = 3;
     for (const unsigned int cells : block.cells)

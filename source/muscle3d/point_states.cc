@@ -6,7 +6,7 @@ namespace myolines
     : parameters_(system.parameters())
     , d_(system.discretisation())
     , model_(kernel_model(parameters_, 0.))
-    , a0_(to_vector(parameters_.fibre_direction))
+    , sweep_(system.sweep())
     , u_(state.u)
     , v_(state.v)
     , values_(std::size_t(d_.element.n_points) * n_point_values * n_lanes)
@@ -14,7 +14,8 @@ namespace myolines
 
   void PointStates::evaluate(const unsigned int batch)
   {
-    d_.kernels.points(d_.tables, model_, d_.kernel_cells(batch), u_.begin(), v_.begin(), values_.data(), d_.scratch());
+    batch_ = batch;
+    d_.kernels.points(d_.tables, model_, sweep_.cells(batch), u_.begin(), v_.begin(), values_.data(), d_.scratch());
   }
 
   PointState PointStates::point(const int q, const unsigned int lane) const
@@ -36,13 +37,16 @@ namespace myolines
     p.dilatation = value(point_dilatation);
     p.JxW        = value(point_JxW);
 
+    p.material    = sweep_.materials.at(batch_, q, lane);
+    p.material_id = static_cast<unsigned int>(p.material[material_tissue]);
+    const Vector3 a0({p.material[0], p.material[1], p.material[2]});
     p.J                     = determinant(p.F);
-    p.fibre                 = p.F * a0_;
+    p.fibre                 = p.F * a0;
     p.stretch               = p.fibre.norm();
     p.isochoric_stretch     = p.stretch / std::cbrt(p.J);
-    const double growth     = p.fibre * (p.F_rate * a0_) / (p.stretch * p.stretch); // of ln |a|
-    const double swelling   = trace(invert(p.F) * p.F_rate);                        // of ln J
-    const double e0         = parameters_.tissue.fibre.maximum_strain_rate;
+    const double growth     = p.fibre * (p.F_rate * a0) / (p.stretch * p.stretch); // of ln |a|
+    const double swelling   = trace(invert(p.F) * p.F_rate);                       // of ln J
+    const double e0         = 1 / p.material[material_slowness];
     p.isochoric_rate        = p.isochoric_stretch * (growth - swelling / 3);
     p.strain_rate           = p.stretch * growth / e0;
     p.isochoric_strain_rate = p.isochoric_rate / e0;
@@ -50,21 +54,35 @@ namespace myolines
     return p;
   }
 
+  namespace
+  {
+    /// dPsi/dI1 of a Yeoh law [Pa].
+    double slope(const YeohParameters &law, const double I1)
+    {
+      const double x = I1 - 3;
+      return law.scale * (law.c[0] + x * (2 * law.c[1] + x * 3 * law.c[2]));
+    }
+  } // namespace
+
   Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, const double activation, const PointState &p)
   {
-    const KernelModel model = kernel_model(parameters, activation);
-    const Matrix3     H     = transpose(invert(p.F));
-    const double      power = std::pow(p.J, -2. / 3), I1 = power * p.F.norm_square(), lam = p.isochoric_stretch;
-    const Vector3     a0 = to_vector(parameters.fibre_direction);
-    const Matrix3     G  = lam * (outer_product(p.fibre, a0) / p.fibre.norm_square() - H / 3.);
+    const KernelModel       model  = kernel_model(parameters, activation);
+    const TissueParameters &tissue = parameters.tissue(p.material_id);
+    const Matrix3           H      = transpose(invert(p.F));
+    const double            power = std::pow(p.J, -2. / 3), I1 = power * p.F.norm_square(), lam = p.isochoric_stretch;
+    const Vector3           a0({p.material[0], p.material[1], p.material[2]});
+    const Matrix3           G = lam * (outer_product(p.fibre, a0) / p.fibre.norm_square() - H / 3.), Q = 2 * power * p.F - 2. / 3 * I1 * H;
+    const double            fat = p.material[material_fat];
 
     Parts<Matrix3> parts;
-    parts.volumetric     = p.pressure * p.J * H;
-    parts.muscle_base    = yeoh(parameters.tissue.base, I1).first * (2 * power * p.F - 2. / 3 * I1 * H);
-    parts.muscle_passive = muscle_fibre<false, false>(parameters.tissue.fibre, 0., lam, 0.).g * G;
+    parts[volumetric_part]                   = p.pressure * p.J * H;
+    parts[base_part(p.material_id)]          = (1 - fat) * slope(tissue.base, I1) * Q;
+    parts[passive_fibre_part(p.material_id)] = fibre_stress(p.material.data(), {true, false, false, true, 0.}, lam, 0.).g * G;
     if (model.active)
-      parts.muscle_active = parameters.tissue.fibre.sigma0 * activation * curves::active(lam).value *
-                            (model.rate ? curves::force_velocity(p.isochoric_strain_rate).value : 1.) / lam * G;
+      parts[muscle_active] = p.material[material_active] * activation * curves::active(lam).value *
+                             (model.rate ? curves::force_velocity(p.isochoric_strain_rate).value : 1.) / lam * G;
+    if (fat != 0)
+      parts[fat_part] = fat * slope(tissue.fat.base, I1) * Q;
     return parts;
   }
 } // namespace myolines

@@ -13,22 +13,22 @@ namespace myolines
   using Vector3 = dealii::Tensor<1, 3>;
   using Matrix3 = dealii::Tensor<2, 3>;
 
-  inline Vector3 to_vector(const std::array<double, 3> &v) { return Vector3({v[0], v[1], v[2]}); }
-
   /// Everything about one quadrature point that outputs are made of, in plain numbers.
   struct PointState
   {
-    Vector3 displacement, velocity;
-    Matrix3 F, F_rate;
-    double  pressure, dilatation, JxW;
-    double  J;
-    Vector3 fibre;                 ///< a = F a0
-    double  stretch;               ///< |a|
-    double  isochoric_stretch;     ///< lam
-    double  isochoric_rate;        ///< lam-dot [1/s]
-    double  strain_rate;           ///< d|a|/dt / e0 [-]
-    double  isochoric_strain_rate; ///< lam-dot / e0 [-]
-    double  pennation;             ///< angle between a and x [degree], (6.2.24)
+    Vector3      displacement, velocity;
+    Matrix3      F, F_rate;
+    double       pressure, dilatation, JxW;
+    double       J;
+    Vector3      fibre;                 ///< a = F a0
+    double       stretch;               ///< |a|
+    double       isochoric_stretch;     ///< lam
+    double       isochoric_rate;        ///< lam-dot [1/s]
+    double       strain_rate;           ///< d|a|/dt / e0 [-]
+    double       isochoric_strain_rate; ///< lam-dot / e0 [-]
+    double       pennation;             ///< angle between a and x [degree], (6.2.24)
+    unsigned int material_id;
+    Material     material;
   };
 
   /// Walks over the quadrature points of the cells of this rank, batch by batch.
@@ -50,7 +50,7 @@ namespace myolines
         }
     }
 
-    /// Fills the values of one batch; then point(q, lane) is valid.
+    /// Fills the values of one batch; then point(q, lane) is of that batch.
     void       evaluate(unsigned int batch);
     PointState point(int q, unsigned int lane) const;
 
@@ -60,10 +60,21 @@ namespace myolines
     const Muscle3dParameters     &parameters_;
     const Muscle3dDiscretisation &d_;
     KernelModel                   model_;
-    Vector3                       a0_;
+    CellSweep                     sweep_;
+    unsigned int                  batch_ = 0;
     CurrentGhosts                 u_, v_; ///< the state outlives this object
     dealii::AlignedVector<double> values_;
   };
+
+  /// Part of the stress that the base material, and that passive fibres, of a tissue are.
+  inline StressPart base_part(const unsigned int material_id)
+  {
+    return material_id == muscle_id ? muscle_base : material_id == aponeurosis_id ? aponeurosis_base : tendon_base;
+  }
+  inline StressPart passive_fibre_part(const unsigned int material_id)
+  {
+    return material_id == muscle_id ? muscle_passive : material_id == aponeurosis_id ? aponeurosis_fibre : tendon_fibre;
+  }
 
   /// Parts of the first Piola-Kirchhoff stress at a point [Pa].
   Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, double activation, const PointState &point);

@@ -53,17 +53,6 @@ namespace myolines
       throw std::out_of_range("there is no column " + name);
     }
 
-    /// Reference position of Gauss point @p q.
-    Position position(const Element &element, const NodeSpace::Cell &cell, const int q)
-    {
-      const int      n = element.n_points_1d;
-      const Position unit(element.point[q % n], element.point[(q / n) % n], element.point[q / (n * n)]);
-      Position       x;
-      for (const unsigned int v : cell->vertex_indices())
-        x += dealii::GeometryInfo<3>::d_linear_shape_function(unit, v) * cell->vertex(v);
-      return x;
-    }
-
     /// Values of the owned points, [column][point], in the order of the file.
     std::vector<std::vector<double>> values(const Muscle3dSystem &system, const State &state, const std::vector<const Column *> &columns)
     {
@@ -76,7 +65,7 @@ namespace myolines
       std::vector<std::vector<double>> all(columns.size(), std::vector<double>(cells.size() * d.element.n_points));
       PointStates(system, state).for_each([&](const NodeSpace::Cell &cell, const int q, const PointState &p) {
         const std::size_t point = first_point.at(cell->active_cell_index()) + q;
-        const Position    x     = position(d.element, cell, q);
+        const Position    x     = point_position(d.element, cell, q);
         for (std::size_t c = 0; c < columns.size(); ++c)
           all[c][point] = columns[c]->value(x, p);
       });

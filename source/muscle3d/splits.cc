@@ -21,7 +21,7 @@ namespace myolines
       for (unsigned int i = 0; i < 3; ++i)
         {
           const double h = p.geometry.size[i] / (p.geometry.cells[i] * std::exp2(p.geometry.refinement));
-          along += std::abs(p.fibre_direction[i]) / h;
+          along += std::abs(p.muscle().fibre.direction[i]) / h;
           sum += 1 / (h * h);
         }
       return of_element[p.degree - 1] * (along * along / 3 + sum / 9);
@@ -30,15 +30,15 @@ namespace myolines
     /// Why splits that leave the active stress explicit are refused where it depends on the strain rate; else empty.
     std::string why_refused(const Muscle3dParameters &p)
     {
-      if (!p.activation || !p.tissue.fibre.force_velocity)
+      if (!p.activation || !p.muscle().fibre.force_velocity)
         return "";
-      const FibreParameters &fibre = p.tissue.fibre;
+      const FibreParameters &fibre = p.muscle().fibre;
       const double       viscosity = fibre.sigma0 * curves::active(1.).value * curves::force_velocity(0.).slope / fibre.maximum_strain_rate;
       std::ostringstream text;
       text.precision(2);
       text << "it leaves the force-velocity relation explicit, a viscosity of " << viscosity
            << " Pa s at full activation and rest, which limits the step to about "
-           << 2 * p.tissue.density / (viscosity * largest_rate_eigenvalue(p))
+           << 2 * p.muscle().density / (viscosity * largest_rate_eigenvalue(p))
            << " s on this mesh and a quarter of that on the next finer one; beyond, velocities jump to and fro";
       return text.str();
     }
@@ -72,7 +72,9 @@ namespace myolines
       return {};
     const std::string refused = why_refused(parameters_);
     return {{"linear", "the inertia and the passive stiffness at rest, frozen", refused},
-            {"volumetric", "the inertia and the volumetric stress", refused},
+            {"volumetric", "the inertia and the volumetric stress",
+             refused.empty() && parameters_.fields.any() ? "stresses vary in space (system/fields) and would be left out point by point"
+                                                         : refused},
             {"passive", "the inertia and all passive stresses", refused},
             {"all but active", "everything but the active stress", refused}};
   }
@@ -87,14 +89,18 @@ namespace myolines
     if (split != "all but active")
       {
         part.body_force.reset();
-        part.boundary.erase(std::remove_if(part.boundary.begin(), part.boundary.end(),
-                                           [](const BoundaryCondition &c) { return c.type == BoundaryCondition::Type::traction; }),
-                            part.boundary.end());
+        part.boundary.erase(
+            std::remove_if(part.boundary.begin(), part.boundary.end(), [](const BoundaryCondition &c) { return !c.prescribes_motion(); }),
+            part.boundary.end());
       }
     if (split == "volumetric")
       {
-        part.tissue.base.scale   = 0;
-        part.tissue.fibre.sigma0 = 0;
+        for (auto &[id, tissue] : part.tissues)
+          {
+            tissue.base.scale     = 0;
+            tissue.fat.base.scale = 0;
+            tissue.fibre.sigma0   = 0;
+          }
       }
     auto system = std::make_unique<Part>(*this, std::move(part));
     if (split == "linear")

@@ -20,15 +20,13 @@ namespace myolines
 
     Schema series_schema()
     {
-      std::vector<std::string> force_faces{moving_face};
-      force_faces.insert(force_faces.end(), face_names().begin(), face_names().end());
-
       Schema series("Time series in CSV files; what no file asks for is not measured.");
       series.integer("every", 1, Range::closed(1, 1e9), "A row at the start, after every so many accepted steps, and at the end.")
           .boolean("forces", true,
                    "force_data-3d.csv: x component of the interior-point estimate (6.2.15) on the force face, by part of the stress.")
-          .choice("force face", moving_face, force_faces,
-                  "Face of force_data-3d.csv; the moving face is that of the first condition of type strain, else x+.")
+          .text("force face", moving_face,
+                "Face of force_data-3d.csv, by a name of the geometry; the moving face is that of the first condition of type strain, else "
+                "x+.")
           .boolean("all faces", false, "force_data-3d-NNN.csv: the estimate on all faces, one file per row of the other series.")
           .boolean("reactions", true, "reaction.csv: force with which each prescribed boundary condition pulls on the muscle.")
           .boolean("energies", true, "energy_data-3d.csv: work-like densities (6.2.2)-(6.2.11).")
@@ -46,15 +44,18 @@ namespace myolines
     unsigned int force_face(const Node &series, const Muscle3dParameters &parameters)
     {
       const std::string name = series.text("force face");
-      if (name != moving_face)
-        return static_cast<unsigned int>(std::find(face_names().begin(), face_names().end(), name) - face_names().begin());
+      if (const std::vector<std::string> &faces = face_names(parameters.geometry); name != moving_face)
+        {
+          const auto found = std::find(faces.begin(), faces.end(), name);
+          if (found == faces.end())
+            series.refuse("force face", "the body has no face \"" + name + "\"", "one of " + join(faces));
+          return static_cast<unsigned int>(found - faces.begin());
+        }
       for (const BoundaryCondition &condition : parameters.boundary)
         if (condition.type == BoundaryCondition::Type::strain)
           return condition.face;
       return 1;
     }
-
-    bool prescribes_motion(const BoundaryCondition &condition) { return condition.type != BoundaryCondition::Type::traction; }
 
     std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder)
     {
@@ -64,13 +65,14 @@ namespace myolines
 
       std::vector<std::unique_ptr<SeriesFile>> files;
       if (series.boolean("forces"))
-        files.push_back(force_file(folder, force_face(series, p)));
+        files.push_back(force_file(folder, p, force_face(series, p)));
       if (series.boolean("all faces"))
-        files.push_back(all_faces_files(folder));
-      if (series.boolean("reactions") && std::any_of(p.boundary.begin(), p.boundary.end(), prescribes_motion))
+        files.push_back(all_faces_files(folder, p));
+      if (series.boolean("reactions") &&
+          std::any_of(p.boundary.begin(), p.boundary.end(), [](const BoundaryCondition &c) { return c.prescribes_motion(); }))
         files.push_back(reaction_file(folder, p));
       if (series.boolean("energies"))
-        files.push_back(energy_file(folder));
+        files.push_back(energy_file(folder, p));
       if (series.boolean("energy balance") && p.dynamic)
         files.push_back(energy_balance_file(folder));
       if (series.boolean("stretch and pennation"))

@@ -10,8 +10,8 @@ namespace myolines
     public:
       explicit EnergyBalance(const OutputFolder &folder)
         : csv_(folder, "energy_balance.csv",
-               {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]", "Active work [J]",
-                "Dissipated [J]", "External work [J]", "Balance drift [J]"})
+               {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]", "Stored tendinous [J]",
+                "Active work [J]", "Dissipated [J]", "External work [J]", "Balance drift [J]"})
       {
         if (folder.saved != nullptr && folder.saved->has_numbers(memory))
           recall(folder.saved->numbers(memory));
@@ -23,8 +23,8 @@ namespace myolines
         if (!before_)
           energy_at_start_ = energy(body);
         accumulate(sample);
-        csv_.row(std::vector<double>{sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive, active_work_,
-                                     dissipated_, external_work_,
+        csv_.row(std::vector<double>{sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive,
+                                     body.stored_tendinous, active_work_, dissipated_, external_work_,
                                      energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_});
       }
 
@@ -55,7 +55,7 @@ namespace myolines
 
       static double energy(const BodyMeasures &body)
       {
-        return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive;
+        return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous;
       }
 
       static Rates rates(const Muscle3dSample &sample)
@@ -104,7 +104,7 @@ namespace myolines
   {
     std::vector<std::string> columns{"Time [s]"};
     for (const BoundaryCondition &condition : parameters.boundary)
-      if (condition.type != BoundaryCondition::Type::traction)
+      if (condition.prescribes_motion())
         for (const char *axis : {" x [N]", " y [N]", " z [N]"})
           columns.push_back(condition.name + axis);
     return make_series_file(folder, "reaction.csv", columns, [](const Muscle3dSample &sample) {
@@ -119,12 +119,13 @@ namespace myolines
 
   std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
   {
-    const double fibre_speed = longest_fibre(parameters) * parameters.tissue.fibre.maximum_strain_rate;
-    return make_series_file(folder, "gearing.csv", {"Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing"},
+    const double fibre_speed = parameters.fibre_length() * parameters.muscle().fibre.maximum_strain_rate;
+    return make_series_file(folder, "gearing.csv",
+                            {"Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing", "Physiological"},
                             [fibre_speed](const Muscle3dSample &sample) {
                               const double muscle = -sample.body().mean_velocity.norm();
-                              const double fibre  = fibre_speed * sample.body().mean_strain_rate;
-                              return std::vector<double>{sample.t(), muscle, fibre, muscle / fibre};
+                              const double rate = sample.body().mean_strain_rate, fibre = fibre_speed * rate;
+                              return std::vector<double>{sample.t(), muscle, fibre, muscle / fibre, std::abs(rate) <= 1 ? 1. : 0.};
                             });
   }
 } // namespace myolines

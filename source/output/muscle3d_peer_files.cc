@@ -29,24 +29,65 @@ namespace myolines
       std::function<std::vector<double>(const Muscle3dSample &)> values_;
     };
 
-    /// The parts in the order of the peer's columns.
-    template <typename T>
-    std::vector<T> in_peer_order(const Parts<T> &parts)
+    /// The parts that a body has, in the order of the peer's columns: total, volumetric, isochoric, then these.
+    class PeerParts
     {
-      return {parts.total(), parts.volumetric, parts.isochoric(), parts.muscle_active, parts.muscle_passive, parts.muscle_base};
-    }
+    public:
+      explicit PeerParts(const Muscle3dParameters &parameters)
+        : chosen_{{muscle_active, "Muscle active"}, {muscle_passive, "Muscle passive"}, {muscle_base, "Muscle base"}}
+      {
+        if (parameters.tissues.size() > 1)
+          for (const StressPart part : {aponeurosis_fibre, aponeurosis_base, tendon_fibre, tendon_base})
+            chosen_.push_back({part, tendinous(part)});
+        if (parameters.has_fat())
+          chosen_.push_back({fat_part, "Fat"});
+      }
 
-    const std::vector<std::string> part_names{"Total", "Volumetric", "Isochoric", "Muscle active", "Muscle passive", "Muscle base"};
+      /// The peer writes "Apo" in its files of forces and "Aponeurosis" in that of energies.
+      std::vector<std::string> names(const std::string &aponeurosis) const
+      {
+        std::vector<std::string> all{"Total", "Volumetric", "Isochoric"};
+        for (auto [part, name] : chosen_)
+          {
+            if (part == aponeurosis_fibre || part == aponeurosis_base)
+              name.insert(0, aponeurosis);
+            all.push_back(name);
+          }
+        return all;
+      }
+
+      template <typename T>
+      std::vector<T> values(const Parts<T> &parts) const
+      {
+        std::vector<T> all{parts.total(), parts[volumetric_part], parts.isochoric()};
+        for (const auto &[part, name] : chosen_)
+          all.push_back(parts[part]);
+        return all;
+      }
+
+    private:
+      static std::string tendinous(const StressPart part)
+      {
+        return part == aponeurosis_fibre  ? " fibre"
+               : part == aponeurosis_base ? " base"
+               : part == tendon_fibre     ? "Tendon fibre"
+                                          : "Tendon base";
+      }
+
+      std::vector<std::pair<StressPart, std::string>> chosen_;
+    };
 
     /// force_data-3d-NNN.csv: one file per row of the other series, one line per face.
     class AllFacesFiles : public SeriesFile
     {
     public:
-      explicit AllFacesFiles(const OutputFolder &folder)
+      AllFacesFiles(const OutputFolder &folder, const Muscle3dParameters &parameters)
         : folder_(folder.path)
+        , parts_(parameters)
+        , n_faces_(face_names(parameters.geometry).size())
         , columns_{"Boundary ID"}
       {
-        for (const std::string &part : part_names)
+        for (const std::string &part : parts_.names("Apo"))
           for (const char *axis : {" x [N]", " y [N]", " z [N]"})
             columns_.push_back(part + axis);
         if (folder.saved != nullptr && folder.saved->has_numbers(memory))
@@ -59,10 +100,10 @@ namespace myolines
       void row(const Muscle3dSample &sample, const std::size_t step) override
       {
         CsvFile csv(folder_, file_name(step), columns_);
-        for (unsigned int face = 0; face < 6; ++face)
+        for (unsigned int face = 0; face < n_faces_; ++face)
           {
             std::vector<double> values{static_cast<double>(face)};
-            for (const dealii::Tensor<1, 3> &force : in_peer_order(sample.face_force(face)))
+            for (const dealii::Tensor<1, 3> &force : parts_.values(sample.face_force(face)))
               values.insert(values.end(), {force[0], force[1], force[2]});
             csv.row(values);
           }
@@ -94,6 +135,8 @@ namespace myolines
       static constexpr const char *memory = "steps with force_data-3d-NNN.csv";
 
       std::filesystem::path    folder_;
+      PeerParts                parts_;
+      std::size_t              n_faces_;
       std::vector<std::string> columns_;
       std::vector<double>      steps_;
     };
@@ -105,32 +148,38 @@ namespace myolines
     return std::make_unique<FunctionFile>(folder, name, columns, std::move(values));
   }
 
-  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const unsigned int face)
+  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const Muscle3dParameters &parameters, const unsigned int face)
   {
+    const PeerParts          parts(parameters);
     std::vector<std::string> columns{"Time [s]"};
-    for (const std::string &part : part_names)
+    for (const std::string &part : parts.names("Apo"))
       columns.push_back(part + " [N]");
     columns.push_back("Volume [m^3]");
-    return make_series_file(folder, "force_data-3d.csv", columns, [face](const Muscle3dSample &sample) {
+    return make_series_file(folder, "force_data-3d.csv", columns, [parts, face](const Muscle3dSample &sample) {
       std::vector<double> row{sample.t()};
-      for (const dealii::Tensor<1, 3> &force : in_peer_order(sample.face_force(face)))
+      for (const dealii::Tensor<1, 3> &force : parts.values(sample.face_force(face)))
         row.push_back(force[0]);
       row.push_back(sample.body().volume);
       return row;
     });
   }
 
-  std::unique_ptr<SeriesFile> all_faces_files(const OutputFolder &folder) { return std::make_unique<AllFacesFiles>(folder); }
-
-  std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder)
+  std::unique_ptr<SeriesFile> all_faces_files(const OutputFolder &folder, const Muscle3dParameters &parameters)
   {
-    const std::vector<std::string> columns{"Time [s]",          "Kinetic [J/m^3]",       "Internal [J/m^3]",       "Volumetric [J/m^3]",
-                                           "Isochoric [J/m^3]", "Muscle active [J/m^3]", "Muscle passive [J/m^3]", "Muscle base [J/m^3]",
-                                           "Volume [m^3]"};
-    return make_series_file(folder, "energy_data-3d.csv", columns, [](const Muscle3dSample &sample) {
+    return std::make_unique<AllFacesFiles>(folder, parameters);
+  }
+
+  std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
+  {
+    const PeerParts          parts(parameters);
+    std::vector<std::string> columns{"Time [s]", "Kinetic [J/m^3]"};
+    for (const std::string &part : parts.names("Aponeurosis"))
+      columns.push_back((part == "Total" ? "Internal" : part) + " [J/m^3]");
+    columns.push_back("Volume [m^3]");
+    return make_series_file(folder, "energy_data-3d.csv", columns, [parts](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
       std::vector<double> row{sample.t(), body.kinetic / body.volume};
-      for (const double density : in_peer_order(body.work_density))
+      for (const double density : parts.values(body.work_density))
         row.push_back(density);
       row.push_back(body.volume);
       return row;
@@ -159,8 +208,8 @@ namespace myolines
                                            "Maximum strain rate [1/s]",
                                            "Mean fibre velocity [m/s]",
                                            "Volume slab [m^3]"};
-    const double                   fibre = longest_fibre(parameters);
-    const double                   e0    = parameters.tissue.fibre.maximum_strain_rate;
+    const double                   fibre = parameters.fibre_length();
+    const double                   e0    = parameters.muscle().fibre.maximum_strain_rate;
     return make_series_file(folder, "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
       const auto         &v    = body.mean_velocity;
@@ -190,14 +239,5 @@ namespace myolines
         row.insert(row.end(), {u[0], u[1], u[2]});
       return row;
     });
-  }
-
-  double longest_fibre(const Muscle3dParameters &parameters)
-  {
-    double length = std::numeric_limits<double>::infinity();
-    for (unsigned int c = 0; c < 3; ++c)
-      if (parameters.fibre_direction[c] != 0)
-        length = std::min(length, parameters.geometry.size[c] / std::abs(parameters.fibre_direction[c]));
-    return length;
   }
 } // namespace myolines

@@ -4,17 +4,9 @@ namespace myolines
 {
   namespace
   {
-    /// Centre of face 0..5 = x-, x+, y-, y+, z-, z+ of the block.
-    dealii::Point<3> face_centre(const BlockGeometry &block, const unsigned int face)
+    std::vector<Marker> end_markers(const Geometry &body, const unsigned int force_face)
     {
-      dealii::Point<3> centre(block.size[0] / 2, block.size[1] / 2, block.size[2] / 2);
-      centre[face / 2] = face % 2 == 0 ? 0 : block.size[face / 2];
-      return centre;
-    }
-
-    std::vector<Marker> end_markers(const BlockGeometry &block, const unsigned int force_face)
-    {
-      return {{"x-", face_centre(block, 0)}, {"x+", face_centre(block, 1)}, {"force face", face_centre(block, force_face)}};
+      return {{"x-", face_centre(body, 0)}, {"x+", face_centre(body, 1)}, {"force face", face_centre(body, force_face)}};
     }
   } // namespace
 
@@ -67,12 +59,12 @@ namespace myolines
 
   const Parts<dealii::Tensor<1, 3>> &Muscle3dSample::face_force(const unsigned int face) const
   {
-    if (!forces_.at(face))
+    if (forces_.count(face) == 0)
       {
         ledger_.count("face force measurements");
         forces_[face] = interior_point_force(system_, state_, face);
       }
-    return *forces_[face];
+    return forces_[face];
   }
 
   double Muscle3dSample::activation() const { return system_.activation(state_.t, side_); }

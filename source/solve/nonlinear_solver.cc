@@ -47,7 +47,7 @@ namespace myolines
                 solve_.steps.taken(cut == 0 ? solve_.problem.importance(NoxVector::of(direction)) : std::nullopt);
                 return true;
               }
-            if (valid && cut == 0 && patient_steps_ < solve_.patience && trial.norm <= 10 * goal)
+            if (valid && cut == 0 && patient_steps_ < solve_.patience && trial.norm <= solve_.patience_growth * goal)
               {
                 goal_              = goal;
                 solve_.was_patient = true;
@@ -156,6 +156,8 @@ namespace myolines
         .integer("patience", 2, Range::closed(0, 10),
                  "Newton steps in a row that may raise the residual before one ends below where it was; if none does, the solve begins "
                  "anew without patience.")
+        .number("patience growth", 10, "-", Range::positive(),
+                "Factor that they may raise it by; hundreds and more where the bulk modulus is thousands of times the shear modulus.")
         .number("forcing minimum", 1e-4, "-", fraction, "Tightest relative tolerance of the linear solves.")
         .number("forcing maximum", 1e-2, "-", fraction, "Loosest relative tolerance of the linear solves, and that of the first one.");
     return schema;
@@ -233,7 +235,8 @@ namespace myolines
                    problem.has_unit_of_residual() ? node_.number("absolute tolerance") : 0,
                    static_cast<unsigned int>(node_.integer("maximum iterations")),
                    static_cast<unsigned int>(node_.integer("line search cuts")),
-                   patience};
+                   patience,
+                   node_.number("patience growth")};
     const auto group = Teuchos::rcp(new NoxGroup(solve, x));
     try
       {

@@ -19,7 +19,8 @@ namespace myolines
     double            absolute_tolerance;
     unsigned int      maximum_iterations;
     unsigned int      maximum_cuts;
-    unsigned int      patience; ///< steps in a row that may raise |G|
+    unsigned int      patience;        ///< steps in a row that may raise |G|
+    double            patience_growth; ///< by at most this factor
 
     bool         was_patient       = false;
     std::string  reason            = "";

@@ -15,6 +15,8 @@ namespace myolines
       Bench(const unsigned int degree, const unsigned int n_points, const InstructionSet set)
         : parameters(test::small_block(degree, n_points, 3))
         , d(parameters, MPI_COMM_SELF, set)
+        , materials(parameters, *d.batches, d.element)
+        , sweep(d.sweep(materials))
         , model(kernel_model(parameters, 0.7))
         , u(d.space->make_vector())
         , v(u)
@@ -32,7 +34,7 @@ namespace myolines
       {
         for (auto _ : state)
           for (unsigned int b = 0; b < d.batches->n_owned_batches(); ++b)
-            kernel(d.kernel_cells(b));
+            kernel(sweep.cells(b));
         state.counters["time/cell"] = benchmark::Counter(double(d.batches->n_owned_batches()) * n_lanes,
                                                          benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
         state.SetLabel(name(d.instruction_set));
@@ -40,6 +42,8 @@ namespace myolines
 
       Muscle3dParameters            parameters;
       Muscle3dDiscretisation        d;
+      PointMaterials                materials;
+      CellSweep                     sweep;
       KernelModel                   model;
       Vector                        u, v, a, r;
       dealii::AlignedVector<double> matrices;
@@ -73,7 +77,7 @@ namespace myolines
       const std::size_t             size = tangent_size(s.d.element.n_points, s.d.element.n_modes, s.model.rate);
       dealii::AlignedVector<double> tangent(size * s.d.batches->n_owned_batches());
       for (unsigned int b = 0; b < s.d.batches->n_owned_batches(); ++b)
-        s.d.kernels.linearise(s.d.tables, s.model, s.d.kernel_cells(b), s.u.begin(), s.v.begin(), &tangent[b * size], s.d.scratch());
+        s.d.kernels.linearise(s.d.tables, s.model, s.sweep.cells(b), s.u.begin(), s.v.begin(), &tangent[b * size], s.d.scratch());
       unsigned int b = 0;
       s.measure(state, [&](const KernelCells &cells) {
         const std::size_t at = size * (b++ % s.d.batches->n_owned_batches());

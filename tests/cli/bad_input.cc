@@ -62,7 +62,7 @@ namespace
       {"too_active", m, "<ParameterList name=\"boundary\">",
        "<ParameterList name=\"activation\"><Parameter name=\"type\" type=\"string\" value=\"constant\"/>"
        "<Parameter name=\"value\" type=\"double\" value=\"5\"/></ParameterList><ParameterList name=\"boundary\">",
-       "activation in [0, 1]"},
+       "activation in [0, 1.1]"},
       {"too_few_points", m, "<ParameterList name=\"boundary\">",
        "<ParameterList name=\"discretisation\"><Parameter name=\"quadrature points\" type=\"int\" value=\"2\"/></ParameterList>"
        "<ParameterList name=\"boundary\">",

@@ -14,8 +14,10 @@ namespace myolines
   {
     using Function = curves::Curve<double> (*)(const double &);
 
-    const std::map<std::string, Function> table{
-        {"sigA", &curves::active<double>}, {"sigP", &curves::passive<double>}, {"sigV", &curves::force_velocity<double>}};
+    const std::map<std::string, Function> table{{"sigA", &curves::active<double>},
+                                                {"sigP", &curves::passive<double>},
+                                                {"sigV", &curves::force_velocity<double>},
+                                                {"sigApo", &curves::tendon<double>}};
 
     TEST(Curves, EqualIndependentValues)
     {
@@ -38,7 +40,7 @@ namespace myolines
               ++compared;
             }
         }
-      EXPECT_EQ(compared, 41);
+      EXPECT_EQ(compared, 51);
     }
 
     TEST(Curves, SlopesAreDerivatives)
@@ -47,7 +49,8 @@ namespace myolines
         for (double x = -1.3; x < 1.9; x += 0.00371) // hits no knot
           {
             const double h = 1e-6, difference = (curve(x + h).value - curve(x - h).value) / (2 * h);
-            const bool at_a_knot = std::abs(curve(x + h).slope - curve(x - h).slope) > 1e-2 || std::abs(curve(x + h).value - curve(x - h).value) > 1e-3;
+            const bool   at_a_knot =
+                std::abs(curve(x + h).slope - curve(x - h).slope) > 1e-2 || std::abs(curve(x + h).value - curve(x - h).value) > 1e-3;
             if (!at_a_knot)
               {
                 EXPECT_NEAR(curve(x).slope, difference, 1e-6) << name << " at " << x;
@@ -67,26 +70,69 @@ namespace myolines
       EXPECT_EQ(curves::passive_energy(0.8), 0.);
     }
 
-    TEST(Fibre, DerivativesOfStressOverStretch)
+    TEST(Curves, TendonEnergyIsTheIntegral)
     {
-      const FibreParameters fibre;
+      for (const double end : {0.7, 1.004, 1.017, 1.1, 1.4})
+        {
+          double       sum = 0;
+          const int    n   = 200000;
+          const double h   = (end - 1) / n;
+          for (int i = 0; i < n; ++i)
+            {
+              const double s = 1 + (i + 0.5) * h;
+              sum += h * curves::tendon(s).value / s;
+            }
+          EXPECT_NEAR(curves::tendon_energy(end), sum, 1e-9) << end;
+        }
+    }
+
+    /// Every registered tissue; what its fibres do is asked of the tissue alone.
+    class Tissue : public testing::TestWithParam<TissueKind>
+    {
+    protected:
+      static FibreTerms terms(const double activation, const bool rate) { return {true, activation != 0, rate, true, activation}; }
+    };
+
+    TEST_P(Tissue, DerivativesOfFibreStressOverStretch)
+    {
+      const Material m = material(GetParam().defaults);
       for (const double lam : {0.71, 0.93, 1.07, 1.33, 1.62})
         for (const double e : {-0.7, -0.1, 0.021, 0.3})
           {
-            const auto   g  = [&](const double l, const double r) { return muscle_fibre<true, true>(fibre, 0.6, l, r).g; };
-            const double h  = 1e-6;
-            const auto   at = muscle_fibre<true, true>(fibre, 0.6, lam, e);
-            EXPECT_NEAR(at.g_stretch, (g(lam + h, e) - g(lam - h, e)) / (2 * h), 1e-3);
+            const auto   g     = [&](const double l, const double r) { return fibre_stress(m.data(), terms(0.6, true), l, r).g; };
+            const double h     = 1e-6;
+            const auto   at    = fibre_stress(m.data(), terms(0.6, true), lam, e);
+            const double scale = 1 + std::abs(at.g_stretch);
+            EXPECT_NEAR(at.g_stretch, (g(lam + h, e) - g(lam - h, e)) / (2 * h), 1e-6 + 1e-8 * scale);
             EXPECT_NEAR(at.g_strain_rate, (g(lam, e + h) - g(lam, e - h)) / (2 * h), 1e-3);
           }
     }
 
-    TEST(Fibre, PartsThatASceneDoesNotNeedAreLeftOut)
+    TEST_P(Tissue, TermsThatDoNotTakePartAreLeftOut)
     {
-      const FibreParameters fibre;
-      const double          passive = muscle_fibre<false, false>(fibre, 1., 1.2, 0.1).g;
-      EXPECT_EQ(passive, (muscle_fibre<true, true>(fibre, 0., 1.2, 0.1).g));
-      EXPECT_NEAR((muscle_fibre<true, false>(fibre, 1., 1.2, 0.1).g), (muscle_fibre<true, true>(fibre, 1., 1.2, 0.).g), 1e-9);
+      const Material m       = material(GetParam().defaults);
+      const auto     passive = fibre_stress(m.data(), terms(0, false), 1.2, 0.1);
+      EXPECT_EQ(passive.g_strain_rate, 0.);
+      EXPECT_EQ(fibre_stress(m.data(), {true, true, false, true, 1.}, 1.2, 0.1).g, fibre_stress(m.data(), terms(1, true), 1.2, 0.).g);
+      EXPECT_EQ(fibre_stress(m.data(), {false, false, false, false, 1.}, 1.2, 0.1).g, 0.);
     }
+
+    TEST_P(Tissue, FatTakesTheShareOfEverythingElse)
+    {
+      TissueParameters t    = GetParam().defaults;
+      const Material   lean = material(t);
+      t.fat.fraction        = 0.2;
+      const Material mixed  = material(t);
+      t.fat.fraction        = 1;
+      const Material fat    = material(t);
+      for (const MaterialValue first : {material_yeoh, material_active})
+        for (int i = first; i < first + 3; ++i)
+          EXPECT_NEAR(mixed[i], 0.8 * lean[i] + 0.2 * fat[i], 1e-14 * (std::abs(lean[i]) + std::abs(fat[i])));
+      EXPECT_NEAR(mixed[material_bulk], 0.8 * lean[material_bulk] + 0.2 * fat[material_bulk], 1e-6);
+      EXPECT_EQ(fat[material_active] + fat[material_passive] + fat[material_tendon], 0.);
+      EXPECT_EQ(fat[material_yeoh], 323.91);
+    }
+
+    INSTANTIATE_TEST_SUITE_P(All, Tissue, testing::ValuesIn(tissue_kinds()), [](const auto &info) { return info.param.name; });
   } // namespace
 } // namespace myolines

@@ -30,9 +30,9 @@ namespace myolines
 
     Muscle3dParameters contraction()
     {
-      Muscle3dParameters p = test::small_block(2, 3, 1);
-      p.fibre_direction    = {{std::cos(0.5), 0, std::sin(0.5)}};
-      p.activation         = std::make_shared<SmoothRise>(0.5);
+      Muscle3dParameters p       = test::small_block(2, 3, 1);
+      p.muscle().fibre.direction = {{std::cos(0.5), 0, std::sin(0.5)}};
+      p.activation               = std::make_shared<SmoothRise>(0.5);
       BoundaryCondition held, moved;
       held.name              = "fixed end";
       moved.name             = "moving end";

@@ -29,14 +29,14 @@ namespace myolines::test
   inline Muscle3dParameters small_block(const unsigned int degree = 2, const unsigned int n_points = 3, const unsigned int refinement = 1)
   {
     Muscle3dParameters p;
-    p.degree              = degree;
-    p.n_points            = n_points;
-    p.geometry.refinement = refinement;
-    p.fibre_direction     = {{std::cos(0.5), 0.1, std::sin(0.5)}};
-    double length         = 0;
-    for (const double d : p.fibre_direction)
+    p.degree                   = degree;
+    p.n_points                 = n_points;
+    p.geometry.refinement      = refinement;
+    p.muscle().fibre.direction = {{std::cos(0.5), 0.1, std::sin(0.5)}};
+    double length              = 0;
+    for (const double d : p.muscle().fibre.direction)
       length += d * d;
-    for (double &d : p.fibre_direction)
+    for (double &d : p.muscle().fibre.direction)
       d /= std::sqrt(length);
     p.activation = std::make_shared<ConstantDrive>(0.7);
     return p;

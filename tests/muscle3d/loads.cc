@@ -46,11 +46,11 @@ namespace myolines
 
     TEST(Traction, StretchesABarAsInClosedForm)
     {
-      const double       T  = 3e4; // Pa
-      Muscle3dParameters p  = test::small_block(2, 3, 1);
-      p.dynamic             = false;
-      p.activation          = nullptr;
-      p.tissue.fibre.sigma0 = 0;
+      const double       T    = 3e4; // Pa
+      Muscle3dParameters p    = test::small_block(2, 3, 1);
+      p.dynamic               = false;
+      p.activation            = nullptr;
+      p.muscle().fibre.sigma0 = 0;
       Condition pull;
       pull.name       = "pull";
       pull.type       = Condition::Type::traction;
@@ -61,7 +61,7 @@ namespace myolines
 
       test::Simulation simulation(p);
       simulation.go("static", 1, 1., [](const State &) {});
-      const auto [l1, l2] = uniaxial(p.tissue, T);
+      const auto [l1, l2] = uniaxial(p.muscle(), T);
       EXPECT_GT(l1, 1.05);
       const MarkerProbe corner(simulation.system, {{"corner", dealii::Point<3>(0.03, 0.01, 0.01)}}, "test");
       const auto        u = corner.displacements(simulation.state)[0];

@@ -27,17 +27,17 @@ namespace myolines
     Muscle3dParameters problem(const unsigned int degree, const unsigned int refinement)
     {
       Muscle3dParameters p;
-      p.dynamic             = false;
-      p.degree              = degree;
-      p.n_points            = degree + 2;
-      p.geometry.size       = {{0.03, 0.01, 0.01}};
-      p.geometry.cells      = {{3, 1, 1}};
-      p.geometry.refinement = refinement;
-      p.tissue.bulk_modulus = kappa;
-      p.tissue.fibre.sigma0 = 0;
-      p.tissue.base.scale   = 1;
-      p.tissue.base.c[0]    = S_c1;
-      p.tissue.base.c[1]    = 0;
+      p.dynamic               = false;
+      p.degree                = degree;
+      p.n_points              = degree + 2;
+      p.geometry.size         = {{0.03, 0.01, 0.01}};
+      p.geometry.cells        = {{3, 1, 1}};
+      p.geometry.refinement   = refinement;
+      p.muscle().bulk_modulus = kappa;
+      p.muscle().fibre.sigma0 = 0;
+      p.muscle().base.scale   = 1;
+      p.muscle().base.c[0]    = S_c1;
+      p.muscle().base.c[1]    = 0;
       const std::string K = "1e6", C = "5e4";
       p.body_force =
           std::array<std::string, 3>{{"-((" + K + "/2*(1+1/" + s + "^2)+" + C + "*(4/9*" + s + "^(-2/3)+10/9*(" + g + "^2+2)*" + s +

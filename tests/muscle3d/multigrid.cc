@@ -55,11 +55,11 @@ namespace myolines
 
       static Muscle3dParameters parameters(const Case &c)
       {
-        Muscle3dParameters p  = test::small_block(c.degree, c.n_points, c.refinement);
-        p.activation          = c.activation > 0 ? std::make_shared<test::ConstantDrive>(c.activation) : nullptr;
-        p.exact_tangent       = c.exact_tangent;
-        p.tissue.bulk_modulus = c.bulk_modulus;
-        p.boundary            = {fixed_end()};
+        Muscle3dParameters p    = test::small_block(c.degree, c.n_points, c.refinement);
+        p.activation            = c.activation > 0 ? std::make_shared<test::ConstantDrive>(c.activation) : nullptr;
+        p.exact_tangent         = c.exact_tangent;
+        p.muscle().bulk_modulus = c.bulk_modulus;
+        p.boundary              = {fixed_end()};
         return p;
       }
 

@@ -18,9 +18,9 @@ namespace myolines
     /// The isometric contraction of the peer's reference runs: 3 x 1 x 1 cm, pennation 30 degrees, 64 cells, 5 points.
     Muscle3dParameters isometric()
     {
-      Muscle3dParameters p = test::small_block(2, 5, 2);
-      p.fibre_direction    = {{std::sqrt(0.75), 0, 0.5}};
-      p.activation         = std::make_shared<Ramp>();
+      Muscle3dParameters p       = test::small_block(2, 5, 2);
+      p.muscle().fibre.direction = {{std::sqrt(0.75), 0, 0.5}};
+      p.activation               = std::make_shared<Ramp>();
       BoundaryCondition left, right;
       left.name  = "fixed end";
       right.name = "moving end";

@@ -98,7 +98,7 @@ namespace myolines
     {
       // mu = 2e5 Pa 0.9941 6.090887/(5 1/s); cells of 0.015 x 0.005 x 0.005 m: 60 (1/0.015^2 (1/3 + 1/9) + 2/(9 0.005^2)) along the fibres
       Muscle3dParameters p          = small_block();
-      p.fibre_direction             = {{1, 0, 0}};
+      p.muscle().fibre.direction    = {{1, 0, 0}};
       const double       viscosity  = 2e5 * 0.994100 * 6.090887 / 5;
       const double       eigenvalue = 60 * (4. / 9 / (0.015 * 0.015) + 2. / 9 / (0.005 * 0.005)) * viscosity / 1060;
       std::ostringstream limit;
@@ -107,7 +107,7 @@ namespace myolines
       for (const Split &split : system(p).capabilities().splits)
         EXPECT_NE(split.refused.find(limit.str()), std::string::npos) << split.refused << ", not " << limit.str();
 
-      p.tissue.fibre.force_velocity = false;
+      p.muscle().fibre.force_velocity = false;
       for (const Split &split : system(p).capabilities().splits)
         EXPECT_EQ(split.refused, "") << "an explicit active stress alone is no viscosity";
     }
@@ -157,7 +157,7 @@ namespace myolines
       Vector      loads(s.u);
       loads.zero_out_ghost_values();
       loads = 0;
-      whole.loads().subtract_external(0, loads);
+      whole.loads().subtract_external(0, Side::left, loads);
       ASSERT_GT(loads.linfty_norm(), 0.1);
       Vector difference = residual_at(*whole.implicit_part("all but active"), s);
       EXPECT_EQ(difference.l2_norm(), residual_at(whole, s).l2_norm());

@@ -16,18 +16,27 @@ namespace myolines
       std::string  name;
       unsigned int degree, n_points;
       bool         dynamic = true, active = true;
+      std::string  tissue = "muscle"; ///< of all cells
+      double       fat    = 0;
+      bool         fields = false; ///< everything varies in space
     };
 
     void PrintTo(const Case &c, std::ostream *out) { *out << c.name; }
 
     std::vector<Case> cases()
     {
-      return {{"q1", 1, 2},
-              {"q2", 2, 3},
-              {"q2_four_points", 2, 4},
-              {"q3", 3, 4},
-              {"quasi_static", 2, 3, false, true},
-              {"passive", 2, 3, true, false}};
+      std::vector<Case> all{{"q1", 1, 2},
+                            {"q2", 2, 3},
+                            {"q2_four_points", 2, 4},
+                            {"q3", 3, 4},
+                            {"quasi_static", 2, 3, false, true},
+                            {"passive", 2, 3, true, false},
+                            {"fat", 2, 3, true, true, "muscle", 0.3},
+                            {"fields", 2, 3, true, true, "muscle", 0, true}};
+      for (const TissueKind &kind : tissue_kinds())
+        if (kind.id != muscle_id)
+          all.push_back({kind.name, 2, 3, true, false, kind.name});
+      return all;
     }
 
     class Taylor : public testing::TestWithParam<Case>
@@ -42,7 +51,7 @@ namespace myolines
         // A smooth deformation with det F from about 0.6 to 1.6, sheared, plus noise. The fibres shorten at a strain rate
         // between the knots -0.25 and 0 of the force-velocity curve, so that differences see smooth laws only.
         const auto  &space    = *system_.discretisation().space;
-        const auto  &a0       = system_.parameters().fibre_direction;
+        const auto  &a0       = system_.parameters().muscle().fibre.direction;
         const double bulge[3] = {0.30, 0.18, 0.13}, size[3] = {0.032, 0.011, 0.012};
         const double factor = GetParam().degree == 1 ? 2. : 1.;
         for (const auto node : space.nodes().locally_owned_dofs())
@@ -69,6 +78,19 @@ namespace myolines
         p.dynamic            = GetParam().dynamic;
         if (!GetParam().active)
           p.activation = nullptr;
+        const auto direction = p.muscle().fibre.direction;
+        for (const TissueKind &kind : tissue_kinds())
+          if (kind.name == GetParam().tissue)
+            p.muscle() = kind.defaults;
+        p.muscle().fibre.direction = direction;
+        p.muscle().fat.fraction    = GetParam().fat;
+        if (GetParam().fields)
+          {
+            p.fields.stress           = "1e5*(1+50*x)";
+            p.fields.fat              = "0.1+10*y";
+            p.fields.activation_scale = "1-20*z";
+            p.fields.direction        = {{"0.87", "0.1+x", "0.47-2*y"}};
+          }
         return p;
       }
 
@@ -116,11 +138,12 @@ namespace myolines
       double                        low = 1e9, high = 0, slowest = -1e9, fastest = 1e9;
       dealii::AlignedVector<double> values(std::size_t(d.element.n_points) * n_point_values * n_lanes);
       const KernelModel             model = kernel_model(system_.parameters(), 0.7);
-      const dealii::Tensor<1, 3>    a0(
-             {system_.parameters().fibre_direction[0], system_.parameters().fibre_direction[1], system_.parameters().fibre_direction[2]});
+      const CellSweep               sweep = system_.sweep();
+      const dealii::Tensor<1, 3>    a0({system_.parameters().muscle().fibre.direction[0], system_.parameters().muscle().fibre.direction[1],
+                                        system_.parameters().muscle().fibre.direction[2]});
       for (unsigned int b = 0; b < d.batches->n_owned_batches(); ++b)
         {
-          d.kernels.points(d.tables, model, d.kernel_cells(b), state_.u.begin(), state_.v.begin(), values.data(), d.scratch());
+          d.kernels.points(d.tables, model, sweep.cells(b), state_.u.begin(), state_.v.begin(), values.data(), d.scratch());
           for (int q = 0; q < d.element.n_points; ++q)
             for (unsigned int lane = 0; lane < d.batches->n_filled(b); ++lane)
               {
@@ -234,15 +257,17 @@ namespace myolines
             Muscle3dDiscretisation d(system_.parameters(), MPI_COMM_WORLD, set);
             dealii::GridTools::transform(distort, d.mesh);
             d.set_up(system_.parameters());
-            Vector s(r);
+            const PointMaterials materials(system_.parameters(), *d.batches, d.element);
+            const CellSweep      sweep = d.sweep(materials);
+            Vector               s(r);
             s                       = 0;
             const KernelModel model = kernel_model(system_.parameters(), GetParam().active ? 0.7 : 0);
             State             state = state_;
             for (Vector *x : {&state.u, &state.v, &state.a})
               x->update_ghost_values();
             for (unsigned int b = 0; b < d.batches->n_owned_batches(); ++b)
-              EXPECT_TRUE(d.kernels.residual(d.tables, model, d.kernel_cells(b), state.u.begin(), state.v.begin(), state.a.begin(),
-                                             s.begin(), d.scratch()));
+              EXPECT_TRUE(d.kernels.residual(d.tables, model, sweep.cells(b), state.u.begin(), state.v.begin(), state.a.begin(), s.begin(),
+                                             d.scratch()));
             s.compress(dealii::VectorOperation::add);
             s -= r;
             EXPECT_LE(s.l2_norm(), 1e-12 * r.l2_norm());

@@ -42,7 +42,7 @@ namespace
       p.geometry.cells      = {{3, 1, 2}};
       p.geometry.refinement = 1;
       p.n_points            = 3;
-      p.fibre_direction     = {{0.8, 0, 0.6}};
+      p.muscle().fibre.direction     = {{0.8, 0, 0.6}};
       return p;
     }
 
@@ -109,7 +109,7 @@ TEST(QuadratureTables, HoldTheStateAtEveryPoint)
   near("strain_rate", constant(F1 * 0.8 * -2 * 0.8 / stretch / 5), 1);
   near("orientation_x", constant(F1 * 0.8), 1);
   near("orientation_z", constant(F3 * 0.6), 1);
-  near("p", constant(body.system.parameters().tissue.bulk_modulus / 2 * (J - 1 / J)), 1e7);
+  near("p", constant(body.system.parameters().muscle().bulk_modulus / 2 * (J - 1 / J)), 1e7);
   double volume = 0;
   for (const double JxW : column("JxW"))
     volume += JxW;

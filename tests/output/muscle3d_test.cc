@@ -43,7 +43,7 @@ namespace
     p.geometry.cells      = {{8, 1, 1}};
     p.geometry.refinement = 0;
     p.n_points            = 3;
-    p.fibre_direction     = {{std::cos(pi / 6), 0, std::sin(pi / 6)}};
+    p.muscle().fibre.direction     = {{std::cos(pi / 6), 0, std::sin(pi / 6)}};
     p.activation          = std::make_shared<Ramp>();
     return p;
   }

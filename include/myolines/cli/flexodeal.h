@@ -6,7 +6,7 @@
 
 namespace myolines
 {
-  /// Files of Flexodeal Lite and the scene to make of them.
+  /// Files of Flexodeal or of Flexodeal Lite and the scene to make of them.
   struct FlexodealOptions
   {
     std::filesystem::path parameters; ///< deal.II parameter file
@@ -14,10 +14,11 @@ namespace myolines
     std::filesystem::path activation; ///< two columns t [s], activation [-]
     std::filesystem::path scene;      ///< to write
     std::filesystem::path markers;    ///< lines "name x y z" [m]; empty: none
+    std::filesystem::path points;     ///< its "quadrature point data", CSV; empty: none
     std::string           steps;      ///< schedule; empty: the step size of the parameters
   };
 
-  /// Writes the scene of type "muscle 3d" that computes what Flexodeal Lite would, with its boundary rates, points and
+  /// Writes the scene of type "muscle 3d" that computes what that program would, with its boundary rates, points and
   /// tolerances; what has no counterpart is named on @p out, a line each. The end is the largest whole number of steps
   /// that fits into its end time (it writes 0.20000001 for 0.2). @throws InputError with file and line.
   void import_flexodeal(const FlexodealOptions &options, std::ostream &out);

@@ -13,7 +13,8 @@ namespace myolines
 {
   /// Cells in groups of n_lanes, their data interleaved by lane (struct of arrays), for kernels. First the batches of
   /// locally owned cells, then those of ghost cells (needed to fill owned matrix rows without communication). A batch
-  /// with fewer cells than lanes repeats its last cell; results of such lanes are not to be used.
+  /// with fewer cells than lanes repeats its last cell; results of such lanes are not to be used. The cells of a batch have one
+  /// material id.
   class CellBatches
   {
   public:
@@ -62,4 +63,7 @@ namespace myolines
     dealii::AlignedVector<double> geometry_;
     dealii::AlignedVector<double> mode_mass_;
   };
+
+  /// Reference position of a Gauss point of a cell.
+  dealii::Point<3> point_position(const Element &element, const NodeSpace::Cell &cell, int q);
 } // namespace myolines

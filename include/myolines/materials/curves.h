@@ -69,4 +69,25 @@ namespace myolines::curves
     const T c0 = by_piece(0., 0., 0.350355, 1., 1.374324, 1.595047);
     return {((c3 * x + c2) * x + c1) * x + c0, (T(3.) * c3 * x + T(2.) * c2) * x + c1};
   }
+
+  /// Stress of tendon and aponeurosis against isochoric stretch [-], (A.2.4), Dick: 0.01 stretch below 1, quadratics with knots 1, 1.01,
+  /// 1.02, linear beyond 1.15. Not zero at rest: 0.01. Slopes are continuous to 3e-7.
+  template <typename T>
+  MYOLINES_INLINE Curve<T> tendon(const T &stretch)
+  {
+    const T    x0       = select(stretch < T(1.), T(0.),
+                                 select(stretch < T(1.01), T(1.), select(stretch < T(1.02), T(1.01), select(stretch < T(1.15), T(1.02), T(1.15)))));
+    const auto by_piece = [&](const double p0, const double p1, const double p2, const double p3, const double p4) {
+      return select(stretch < T(1.), T(p0),
+                    select(stretch < T(1.01), T(p1), select(stretch < T(1.02), T(p2), select(stretch < T(1.15), T(p3), T(p4)))));
+    };
+    const T c2 = by_piece(0., 515.882034, 600.590242, -9.975322, 0.);
+    const T c1 = by_piece(0.01, 0.01, 10.327641, 22.339446, 19.745862);
+    const T c0 = by_piece(0., 0.01, 0.061688, 0.225024, 2.960569);
+    const T x  = stretch - x0;
+    return {(c2 * x + c1) * x + c0, T(2.) * c2 * x + c1};
+  }
+
+  /// Integral of tendon(s)/s from 1 to the stretch [-]. Continuous.
+  double tendon_energy(double stretch);
 } // namespace myolines::curves

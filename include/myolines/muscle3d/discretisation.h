@@ -5,6 +5,7 @@
 #include <myolines/fem/node_space.h>
 #include <myolines/muscle3d/kernels.h>
 #include <myolines/muscle3d/parameters.h>
+#include <myolines/muscle3d/point_materials.h>
 
 #include <deal.II/base/aligned_vector.h>
 
@@ -13,13 +14,14 @@ namespace myolines
   /// What a sweep of kernels over the cells needs; borrowed.
   struct CellSweep
   {
-    CellSweep(const Element &element, const CellBatches &batches);
+    CellSweep(const Element &element, const CellBatches &batches, const PointMaterials &materials);
 
     KernelCells cells(unsigned int batch) const;
 
-    const Element     &element;
-    const CellBatches &batches;
-    KernelTables       tables;
+    const Element        &element;
+    const CellBatches    &batches;
+    const PointMaterials &materials;
+    KernelTables          tables;
   };
 
   /// Mesh, nodes, batches and kernels of a muscle: everything that does not change in time.
@@ -41,8 +43,7 @@ namespace myolines
     /// Fills space, batches and constraints from the mesh as it stands; call again after moving mesh vertices.
     void set_up(const Muscle3dParameters &parameters);
 
-    KernelCells kernel_cells(unsigned int batch) const { return sweep().cells(batch); }
-    CellSweep   sweep() const { return {element, *batches}; }
+    CellSweep sweep(const PointMaterials &materials) const { return {element, *batches, materials}; }
 
     /// Aligned work storage for the kernels, one caller at a time.
     double *scratch() const { return scratch_.data(); }
@@ -51,6 +52,6 @@ namespace myolines
     mutable dealii::AlignedVector<double> scratch_;
   };
 
-  /// The physics the kernels need at an instant with the given activation.
+  /// The physics of the kernels at an instant with the given activation.
   KernelModel kernel_model(const Muscle3dParameters &parameters, double activation);
 } // namespace myolines

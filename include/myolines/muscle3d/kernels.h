@@ -1,7 +1,7 @@
 #pragma once
 
 #include <myolines/base/lanes.h>
-#include <myolines/materials/tissue.h>
+#include <myolines/materials/material.h>
 
 #include <cstddef>
 
@@ -21,25 +21,26 @@ namespace myolines
     const double *modes;      ///< [n_points_1d^3][n_modes]
   };
 
-  /// The physics of a batch at one instant.
+  /// The physics of all batches at one instant.
   struct KernelModel
   {
-    TissueParameters tissue;
-    double           fibre_direction[3]; ///< a0, unit
-    double           activation;
-    bool             active;        ///< active stress takes part
-    bool             rate;          ///< ... and depends on the strain rate
-    bool             inertia;       ///< M a takes part
-    bool             exact_tangent; ///< else its symmetric part
+    double activation;
+    bool   active;        ///< active stress takes part
+    bool   rate;          ///< ... and depends on the strain rate
+    bool   inertia;       ///< M a takes part
+    bool   exact_tangent; ///< else its symmetric part
   };
 
-  /// One batch of cells (see CellBatches); borrowed.
+  /// One batch of cells (see CellBatches and PointMaterials); borrowed.
   struct KernelCells
   {
     const unsigned int *nodes;             ///< [n_nodes][n_lanes]
     const double       *geometry;          ///< per point 9 + 1 lanes
     unsigned int        geometry_stride;   ///< doubles between points, 0 if affine
     const double       *inverse_mode_mass; ///< [n_modes][n_modes] lanes
+    const double       *material;          ///< per point n_material_values lanes
+    unsigned int        material_stride;   ///< doubles between points, 0 if all points are alike
+    bool                muscle, tendon;    ///< whether some point has such fibres
     int                 n_filled;
   };
 

@@ -5,6 +5,7 @@
 #include <myolines/system/point.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,11 @@ namespace myolines
     void prescribe(double t, Side side, State &state) const;
 
     /// r -= F_ext(t): tractions and body force.
-    void subtract_external(double t, Vector &r) const;
+    void subtract_external(double t, Side side, Vector &r) const;
     bool any_external() const { return body_force_ != nullptr || !tractions_.empty(); }
 
     /// Power of the tractions and of the body force at velocity @p v on this rank [W].
-    double traction_power(double t, const Vector &v) const;
+    double traction_power(double t, const Vector &v) const; ///< of pressures too
     double body_force_power(double t, const Vector &v) const;
 
   private:
@@ -36,11 +37,14 @@ namespace myolines
     };
     struct Traction
     {
-      unsigned int  face;
-      VectorFormula formula;
+      const BoundaryCondition     *condition;
+      std::optional<VectorFormula> formula; ///< of a traction; else a pressure
+
+      /// Force per reference area at a point of the face.
+      dealii::Tensor<1, 3> value(const dealii::Point<3> &x, const dealii::Tensor<1, 3> &normal, double t, double factor) const;
     };
 
-    void add_tractions(double t, Vector &f) const;
+    void add_tractions(double t, Side side, Vector &f) const;
     void add_body_force(double t, Vector &f) const;
 
     const Muscle3dDiscretisation  &discretisation_;

@@ -4,6 +4,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,17 +12,38 @@
 
 namespace myolines
 {
-  /// A quantity split by the part of the stress it comes from.
+  /// Where stress comes from.
+  enum StressPart
+  {
+    volumetric_part,
+    muscle_active,
+    muscle_passive,
+    muscle_base,
+    aponeurosis_fibre,
+    aponeurosis_base,
+    tendon_fibre,
+    tendon_base,
+    fat_part,
+    n_stress_parts
+  };
+
+  /// A quantity split by the part of the stress it comes from. The parts add up to the total: each has its weight in the mix.
   template <typename T>
   struct Parts
   {
-    T volumetric{};
-    T muscle_active{};
-    T muscle_passive{};
-    T muscle_base{};
+    std::array<T, n_stress_parts> part{};
 
-    T isochoric() const { return muscle_active + muscle_passive + muscle_base; }
-    T total() const { return volumetric + isochoric(); }
+    T       &operator[](const StressPart p) { return part[p]; }
+    const T &operator[](const StressPart p) const { return part[p]; }
+
+    T isochoric() const
+    {
+      T sum{};
+      for (unsigned int p = volumetric_part + 1; p < n_stress_parts; ++p)
+        sum += part[p];
+      return sum;
+    }
+    T total() const { return part[volumetric_part] + isochoric(); }
   };
 
   /// Which points the slab averages use: X_1 in [3/8 L, 5/8 L].
@@ -50,8 +72,9 @@ namespace myolines
     double        volume            = 0; ///< current [m^3]
     double        kinetic           = 0; ///< [J]
     double        stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
-    double        stored_base       = 0; ///< int Yeoh energy [J]
-    double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam [J]
+    double        stored_base       = 0; ///< int Yeoh energies, fat included [J]
+    double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam, of the muscle [J]
+    double        stored_tendinous  = 0; ///< int sigma0 int sT/lam dlam from rest, of aponeurosis and tendon [J]
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
     double               slab_volume      = 0; ///< current [m^3]
@@ -67,7 +90,7 @@ namespace myolines
   };
   BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule);
 
-  /// Estimate (6.2.15) of the force that acts on @p face (0..5) from the quadrature points of the cell nearest to it [N].
+  /// Estimate (6.2.15) of the force that acts on @p face from the quadrature points of the cell nearest to it [N].
   Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);
 
   /// Force with which each boundary condition that prescribes motion pulls on the muscle: the residual summed over its

@@ -14,6 +14,8 @@
 namespace myolines
 {
   struct Muscle3dDiscretisation;
+  struct CellSweep;
+  class PointMaterials;
   class Loads;
 
   /// The 3D muscle as a second-order system in the displacement alone (physics page 1, thesis chapters 5-6):
@@ -43,6 +45,7 @@ namespace myolines
     const Muscle3dParameters     &parameters() const { return parameters_; }
     const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }
     const Loads                  &loads() const { return *loads_; }
+    CellSweep                     sweep() const; ///< of the kernels over the body
     std::size_t                   n_cells() const;
     /// Activation at time t, 0 without one.
     double activation(double t, Side side = Side::left) const;
@@ -64,6 +67,7 @@ namespace myolines
     Muscle3dParameters                      parameters_;
     WorkLedger                             &ledger_;
     std::shared_ptr<Muscle3dDiscretisation> discretisation_; ///< that of its implicit parts too
+    std::unique_ptr<PointMaterials>         materials_;
     std::unique_ptr<Loads>                  loads_;
   };
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <myolines/materials/tissue.h>
+#include <myolines/muscle3d/body_fields.h>
+#include <myolines/muscle3d/boundary.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/drive.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,51 +15,27 @@
 
 namespace myolines
 {
-  struct BlockGeometry
-  {
-    std::array<double, 3>       size{{0.03, 0.01, 0.01}}; ///< length, width, height [m]
-    std::array<unsigned int, 3> cells{{1, 1, 1}};         ///< coarse cells per direction
-    unsigned int                refinement = 3;           ///< global refinements of the coarse cells
-  };
-
-  /// One named boundary condition. Faces are numbered as in the peer: 0..5 = x-, x+, y-, y+, z-, z+.
-  struct BoundaryCondition
-  {
-    enum class Type
-    {
-      fixed,    ///< u_c = 0
-      strain,   ///< u = reference length * strain(t) * direction
-      formula,  ///< u_c = f_c(x, y, z, t), with dt and d2t given as formulas too
-      traction, ///< dead load per reference area T(x, y, z, t) [Pa]
-    };
-    std::string                  name;
-    Type                         type = Type::fixed;
-    unsigned int                 face = 0;
-    std::array<bool, 3>          components{{true, true, true}};       ///< which components are prescribed (not for tractions)
-    std::array<double, 3>        direction{{1, 0, 0}};                 ///< unit vector, type strain
-    double                       reference_length = 0;                 ///< [m], type strain
-    std::shared_ptr<const Drive> strain;                               ///< type strain
-    std::array<std::string, 3>   displacement, velocity, acceleration; ///< type formula [m], [m/s], [m/s^2]
-    std::array<std::string, 3>   traction;                             ///< type traction [Pa]
-    std::string                  scene_path;                           ///< for messages
-  };
-
   struct Muscle3dParameters
   {
     bool                                      dynamic       = true;
     bool                                      exact_tangent = true;
     unsigned int                              degree        = 2; ///< of the displacement, 1..3
     unsigned int                              n_points      = 4; ///< Gauss points per direction, 2..6
-    BlockGeometry                             geometry;
-    TissueParameters                          tissue;
-    std::array<double, 3>                     fibre_direction{{1, 0, 0}}; ///< a0, unit
+    Geometry                                  geometry;
+    std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}}; ///< of the cells, by material id
+    BodyFields                                fields;
     std::vector<BoundaryCondition>            boundary;
     std::shared_ptr<const Drive>              activation; ///< nullptr: no activation in the scene, no active stress
     std::optional<std::array<std::string, 3>> body_force; ///< per reference volume [N/m^3], formulas of x, y, z, t
-  };
 
-  /// "x-", "x+", "y-", "y+", "z-", "z+": the faces of a block by number.
-  const std::vector<std::string> &face_names();
+    const TissueParameters &tissue(const unsigned int material_id) const { return tissues.at(material_id); }
+    TissueParameters       &muscle() { return tissues.at(muscle_id); }
+    const TissueParameters &muscle() const { return tissues.at(muscle_id); }
+    /// Whether there may be fat somewhere.
+    bool has_fat() const { return muscle().fat.fraction != 0 || fields.has_fat(); }
+    /// Length of the longest straight fibre at rest [m], the L_f0 of thesis (7.2.1).
+    double fibre_length() const;
+  };
 
   /// Declaration of the list `system` for type "muscle 3d".
   scene::Schema muscle3d_schema();

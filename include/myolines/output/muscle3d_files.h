@@ -30,9 +30,9 @@ namespace myolines
                                                std::function<std::vector<double>(const Muscle3dSample &)> values);
 
   // The peer's files, with its names and columns.
-  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, unsigned int face);
-  std::unique_ptr<SeriesFile> all_faces_files(const OutputFolder &folder);
-  std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder);
+  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const Muscle3dParameters &parameters, unsigned int face);
+  std::unique_ptr<SeriesFile> all_faces_files(const OutputFolder &folder, const Muscle3dParameters &parameters);
+  std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
   std::unique_ptr<SeriesFile> stretch_file(const OutputFolder &folder);
   std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
   std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder);
@@ -52,9 +52,6 @@ namespace myolines
   std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder);
 
   /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row; not a
-  /// number while fibres are at rest.
+  /// number while fibres are at rest. Physiological: 1 unless fibres change length faster than their maximum strain rate, 0 then.
   std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
-
-  /// Length of the longest straight fibre inside the block [m], the L_f0 of thesis (7.2.1).
-  double longest_fibre(const Muscle3dParameters &parameters);
 } // namespace myolines

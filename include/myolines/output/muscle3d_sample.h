@@ -2,7 +2,7 @@
 
 #include <myolines/muscle3d/measurements.h>
 
-#include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace myolines
     EndPoints(const Muscle3dSystem &system, unsigned int force_face);
 
     MarkerProbe probe;            ///< order: x-, x+, force face
-    double      reference_length; ///< of the block [m]
+    double      reference_length; ///< of the body along x [m]
   };
 
   /// What the files of a muscle run may want to know of one state, each measured on first use and then shared: a row of
@@ -48,9 +48,9 @@ namespace myolines
     const EndPoints      &ends_;
     WorkLedger           &ledger_;
 
-    mutable std::optional<BodyMeasures>                               body_;
-    mutable std::optional<Powers>                                     powers_;
-    mutable std::optional<std::vector<Reaction>>                      reactions_;
-    mutable std::array<std::optional<Parts<dealii::Tensor<1, 3>>>, 6> forces_;
+    mutable std::optional<BodyMeasures>                         body_;
+    mutable std::optional<Powers>                               powers_;
+    mutable std::optional<std::vector<Reaction>>                reactions_;
+    mutable std::map<unsigned int, Parts<dealii::Tensor<1, 3>>> forces_; ///< by face
   };
 } // namespace myolines

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+#include <myolines/system/drive.h>
+
+#include <array>
+#include <string>
+
+namespace myolines
+{
+  // Entries that several lists of the system "muscle 3d" share.
+
+  extern const std::array<const char *, 3> axes; ///< "x", "y", "z"
+
+  /// Declares three formulas of x, y, z [m] and t [s], named prefix + axis, default "0".
+  void add_formulas(scene::Schema &schema, const std::string &prefix, const std::string &what);
+  /// @throws InputError for what is not one formula.
+  std::array<std::string, 3> read_formulas(const scene::Node &node, const std::string &prefix);
+
+  /// v over its length. @throws InputError at @p parameter if that is zero or not finite.
+  std::array<double, 3> unit_vector(const std::array<double, 3> &v, const scene::Node &node, const std::string &parameter);
+  /// The unit vector of a text "x y z". @throws InputError
+  std::array<double, 3> read_direction(const scene::Node &node, const std::string &parameter);
+
+  /// @throws InputError if @p drive leaves @p range at its ends, at its kinks or at many instants of the first second.
+  void refuse_values_outside(const scene::Node &node, const Drive &drive, const scene::Range &range, const std::string &quantity);
+} // namespace myolines

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <myolines/fem/cell_batches.h>
+#include <myolines/muscle3d/parameters.h>
+
+#include <deal.II/base/aligned_vector.h>
+
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// The material at every quadrature point of a set of batches (see MaterialValue): tissues, mixes and fields of a body, made
+  /// once. Cells of a tissue without fields share one set of numbers.
+  class PointMaterials
+  {
+  public:
+    PointMaterials(const Muscle3dParameters &parameters, const CellBatches &batches, const Element &element);
+
+    /// n_material_values lanes of point q stand at values(b) + q * stride(b).
+    const double *values(const unsigned int b) const { return &values_[batches_[b].first]; }
+    unsigned int  stride(const unsigned int b) const { return batches_[b].stride; }
+    /// Material of a point in one lane.
+    Material at(unsigned int b, int q, unsigned int lane) const;
+    /// What the fields get wrong on this rank, a sentence about "system/fields"; else empty.
+    const std::string &problem() const { return problem_; }
+    /// Whether some point of the batch has such fibres.
+    bool muscle(const unsigned int b) const { return batches_[b].muscle; }
+    bool tendon(const unsigned int b) const { return batches_[b].tendon; }
+
+  private:
+    struct Batch
+    {
+      std::size_t  first;
+      unsigned int stride;
+      bool         muscle, tendon;
+    };
+
+    void add_field(const MaterialField &field, const CellBatches &batches, const Element &element, unsigned int b,
+                   const PointProperties *table);
+
+    dealii::AlignedVector<double> values_;
+    std::vector<Batch>            batches_;
+    std::string                   problem_;
+  };
+} // namespace myolines

@@ -1,0 +1,95 @@
+#include <myolines/muscle3d/point_materials.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    bool has_muscle(const Material &m) { return m[material_active] != 0 || m[material_passive] != 0; }
+    bool has_tendon(const Material &m) { return m[material_tendon] != 0; }
+
+    std::string text_of(const dealii::Point<3> &x)
+    {
+      std::ostringstream text;
+      text << "(" << x << ") m";
+      return text.str();
+    }
+
+    /// Why no body can be made of it; else empty.
+    std::string what_is_wrong(const Material &m, const dealii::Point<3> &x)
+    {
+      if (!(m[material_fat] >= 0 && m[material_fat] <= 1))
+        return "gives a fat fraction of " + std::to_string(m[material_fat]) + " at " + text_of(x);
+      if (!(m[material_passive] >= 0))
+        return "gives a negative maximum isometric stress at " + text_of(x);
+      if (!(m[material_active] >= 0))
+        return "gives a negative activation scale at " + text_of(x);
+      if (!std::isfinite(m[0] + m[1] + m[2]))
+        return "gives no fibre direction at " + text_of(x);
+      return "";
+    }
+  } // namespace
+
+  PointMaterials::PointMaterials(const Muscle3dParameters &parameters, const CellBatches &batches, const Element &element)
+  {
+    const BodyFields             &fields = parameters.fields;
+    const MaterialField           field(fields, parameters.tissues);
+    std::map<unsigned int, Batch> uniform; // by material id
+    for (unsigned int b = 0; b < batches.n_batches(); ++b)
+      {
+        const unsigned int id = batches.cell(b, 0)->material_id();
+        if (fields.table || (fields.formulas() && id == muscle_id))
+          add_field(field, batches, element, b, fields.table.get());
+        else
+          {
+            if (uniform.count(id) == 0)
+              {
+                Material m         = material(parameters.tissue(id));
+                m[material_tissue] = id;
+                uniform[id]        = {values_.size(), 0, has_muscle(m), has_tendon(m)};
+                for (const double x : m)
+                  values_.insert(values_.end(), n_lanes, x);
+              }
+            batches_.push_back(uniform[id]);
+          }
+      }
+  }
+
+  void PointMaterials::add_field(const MaterialField &field, const CellBatches &batches, const Element &element, const unsigned int b,
+                                 const PointProperties *table)
+  {
+    constexpr unsigned int stride = n_material_values * n_lanes;
+    Batch                  batch{values_.size(), stride, false, false};
+    values_.resize(batch.first + std::size_t(element.n_points) * stride);
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      {
+        const NodeSpace::Cell &cell = batches.cell(b, lane);
+        for (int q = 0; q < element.n_points; ++q)
+          {
+            const dealii::Point<3> x = point_position(element, cell, q);
+            const Material         m = field.at(x, cell->material_id());
+            if (problem_.empty())
+              problem_ = what_is_wrong(m, x);
+            if (table != nullptr && problem_.empty() && table->distance(x) > cell->diameter())
+              problem_ = "has no point within " + std::to_string(cell->diameter()) + " m of " + text_of(x);
+            batch.muscle = batch.muscle || has_muscle(m);
+            batch.tendon = batch.tendon || has_tendon(m);
+            for (unsigned int i = 0; i < n_material_values; ++i)
+              values_[batch.first + std::size_t(q) * stride + i * n_lanes + lane] = m[i];
+          }
+      }
+    batches_.push_back(batch);
+  }
+
+  Material PointMaterials::at(const unsigned int b, const int q, const unsigned int lane) const
+  {
+    const double *first = values(b) + std::size_t(q) * stride(b) + lane;
+    Material      m;
+    for (unsigned int i = 0; i < n_material_values; ++i)
+      m[i] = first[i * n_lanes];
+    return m;
+  }
+} // namespace myolines

@@ -1,0 +1,50 @@
+// Scenes of input/ against numbers of other programs.
+#include "program_runner.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+  /// The last row of a CSV file of the run `run ARGUMENTS`.
+  std::vector<double> last_row(const TestFolder &folder, const std::string &arguments, const std::string &file)
+  {
+    const Outcome outcome = run_program(folder, "run " MYOLINES_SOURCE_DIR "/input/" + arguments + " --quiet --out out");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::istringstream lines(contents(folder / "out" / file));
+    std::string        last;
+    for (std::string line; std::getline(lines, line);)
+      last = line;
+    std::istringstream  cells(last);
+    std::vector<double> row;
+    for (std::string cell; std::getline(cells, cell, ',');)
+      row.push_back(std::stod(cell));
+    return row;
+  }
+} // namespace
+
+/// Against deal.II's tutorial program step 44 (version 9.4.1, Q2 with discontinuous P1, 10 load steps, direct solver).
+TEST(Verification, IndentedBlock)
+{
+  const std::pair<std::string, double> cases[] = {
+      {"--set system/geometry/refinement=1 --set 'solver/preconditioner/type=p multigrid'", -2.118656564863e-04},
+      {"--set system/geometry/refinement=1 --set solver/preconditioner/type=direct", -2.118656564863e-04},
+      {"--set system/geometry/refinement=2 --set solver/preconditioner/type=direct", -2.186237161713e-04}};
+  for (const auto &[settings, corner] : cases)
+    {
+      const TestFolder folder;
+      const auto       row = last_row(folder, "verification/indented_block.xml " + settings, "displacements-3d.csv");
+      ASSERT_EQ(row.size(), 4u);
+      EXPECT_NEAR(row[2], corner, 1e-6 * std::abs(corner)) << settings;
+      EXPECT_EQ(contents(folder / "out" / "steps.csv").find("not converged"), std::string::npos);
+    }
+}
+
+/// Against an independent serial study: 26.845 N at the end, 20 steps, none rejected.
+TEST(Verification, ActiveLengthening)
+{
+  const TestFolder folder;
+  const auto       row = last_row(folder, "active_lengthening.xml", "reaction.csv");
+  ASSERT_EQ(row.size(), 7u);
+  EXPECT_NEAR(row[1], 26.845, 1e-3 * 26.845);
+  EXPECT_EQ(contents(folder / "out" / "steps.csv").find("not converged"), std::string::npos);
+}
