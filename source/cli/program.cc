@@ -3,6 +3,7 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/flexodeal.h>
 #include <myolines/cli/program.h>
+#include <myolines/compare/compare.h>
 #include <myolines/output/text_file.h>
 #include <myolines/study/plot.h>
 
@@ -29,6 +30,7 @@ namespace myolines
         add_run();
         add_check();
         add_study();
+        add_compare();
         add_plot();
         add_list();
         add_template();
@@ -99,6 +101,20 @@ namespace myolines
             ->type_name("PATH=VALUE");
       }
 
+      void add_compare()
+      {
+        CLI::App *command =
+            add(app, "compare", "L2 differences of the fields of two runs, on any two meshes", [this] { compare_command(compare_, out_); });
+        command->add_option("first", compare_.first, "Output folder of a run")->required()->type_name("DIR");
+        command->add_option("second", compare_.second, "Output folder of the run that it is measured against")
+            ->required()
+            ->type_name("DIR");
+        CLI::Option *at = command->add_option("--at", compare_.at, "Time [s] at which both have kept a state; default: the end of both");
+        at->type_name("TIME");
+        command->add_flag("--all", compare_.all, "All times at which both have kept a state")->excludes(at);
+        command->add_option("--csv", compare_.csv, "Writes the table to this file as well")->type_name("FILE.csv");
+      }
+
       void add_plot()
       {
         CLI::App *command =
@@ -146,6 +162,7 @@ namespace myolines
       std::string        topic_, name_;
       FlexodealOptions   flexodeal_;
       study::Options     study_;
+      CompareOptions     compare_;
       study::PlotOptions plot_;
     };
 

@@ -38,6 +38,8 @@ namespace myolines
           if (entry.is_regular_file() && (field || table || is_series(name)))
             old.push_back(entry.path());
         }
+      for (const auto &file : kept_state_files(folder))
+        old.push_back(file);
       for (const auto &file : old)
         std::filesystem::remove(file);
     }

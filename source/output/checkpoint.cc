@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <sstream>
 
 namespace myolines
@@ -112,6 +113,24 @@ namespace myolines
   } // namespace
 
   std::filesystem::path checkpoint_file(const std::filesystem::path &folder) { return folder / "checkpoint"; }
+
+  std::filesystem::path kept_state_file(const std::filesystem::path &folder, const std::size_t step)
+  {
+    std::ostringstream name;
+    name << "state-" << std::setw(9) << std::setfill('0') << step; // names ascend as steps do
+    return folder / "states" / name.str();
+  }
+
+  std::vector<std::filesystem::path> kept_state_files(const std::filesystem::path &folder)
+  {
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::is_directory(folder / "states"))
+      for (const auto &entry : std::filesystem::directory_iterator(folder / "states"))
+        if (entry.is_regular_file() && entry.path().filename().string().rfind("state-", 0) == 0 && entry.path().extension() != ".new")
+          files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+  }
 
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const SemiDiscreteSystem &system)
   {

@@ -15,17 +15,23 @@ namespace myolines
     checkpoint
         .integer("every", 10, scene::Range::closed(1, 1e9),
                  "A state can be saved after every so many accepted steps; solvers keep nothing beyond them.")
-        .number("seconds", 600, "s", scene::Range::not_negative(), "Least wall-clock time between two states that are saved.");
+        .number("seconds", 600, "s", scene::Range::not_negative(), "Least wall-clock time between two states that are saved.")
+        .optional_section("keep",
+                          scene::Schema("Further states that are kept, in the folder states: what `myolines compare` can look at before "
+                                        "the end.")
+                              .integer("every", 1, scene::Range::closed(1, 1e9), "Kept after every so many accepted steps."));
     return checkpoint;
   }
 
   CheckpointKeeper::CheckpointKeeper(const scene::Node &checkpoint, RunParts run, const std::filesystem::path &folder)
     : run_(std::move(run))
-    , file_(checkpoint_file(folder))
+    , folder_(folder)
     , every_(checkpoint.integer("every"))
     , seconds_(checkpoint.number("seconds"))
     , written_at_(std::chrono::steady_clock::now())
   {
+    if (checkpoint.has("keep"))
+      keep_every_ = checkpoint.section("keep").integer("every");
     if (run_.control != nullptr)
       run_.control->save(control_);
   }
@@ -34,6 +40,7 @@ namespace myolines
   {
     if (run_.control != nullptr)
       run_.control->save(control_);
+    keep(state, step);
     if (const int signal = dealii::Utilities::MPI::max(run_.stop_signal(), MPI_COMM_WORLD))
       return std::string("asked to stop by the signal \"") + strsignal(signal) + "\" after step " + std::to_string(step) +
              " at t = " + exact_text(state.t) + " s";
@@ -41,15 +48,37 @@ namespace myolines
       {
         run_.forget();
         if (time_to_write())
-          write(state, step);
+          write(state, step, checkpoint_file(folder_));
       }
     return std::nullopt;
   }
 
   void CheckpointKeeper::ended(const State &state, const std::size_t step)
   {
-    if (step > 0)
-      write(state, step);
+    if (step == 0)
+      return;
+    keep(state, step);
+    write(state, step, checkpoint_file(folder_));
+  }
+
+  void CheckpointKeeper::keep(const State &state, const std::size_t step)
+  {
+    if (!swept_)
+      sweep(step);
+    if (!keep_every_ || step % *keep_every_ != 0)
+      return;
+    if (writes_files())
+      std::filesystem::create_directories(kept_state_file(folder_, step).parent_path());
+    write(state, step, kept_state_file(folder_, step));
+  }
+
+  void CheckpointKeeper::sweep(const std::size_t step)
+  {
+    if (writes_files())
+      for (const std::filesystem::path &file : kept_state_files(folder_))
+        if (file >= kept_state_file(folder_, step))
+          std::filesystem::remove(file);
+    swept_ = true;
   }
 
   bool CheckpointKeeper::time_to_write() const
@@ -58,7 +87,7 @@ namespace myolines
     return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, elapsed >= seconds_);
   }
 
-  void CheckpointKeeper::write(const State &state, const std::size_t step)
+  void CheckpointKeeper::write(const State &state, const std::size_t step, const std::filesystem::path &file)
   {
     {
       const WorkLedger::Timer timer(run_.ledger, "checkpoint");
@@ -74,8 +103,9 @@ namespace myolines
       checkpoint.scene           = run_.scene;
       checkpoint.ranks           = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       checkpoint.instruction_set = name(widest_instruction_set());
-      write_checkpoint(file_, checkpoint, run_.system);
+      write_checkpoint(file, checkpoint, run_.system);
     }
-    written_at_ = std::chrono::steady_clock::now();
+    if (file == checkpoint_file(folder_))
+      written_at_ = std::chrono::steady_clock::now();
   }
 } // namespace myolines

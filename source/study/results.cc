@@ -1,4 +1,5 @@
 #include <myolines/base/error.h>
+#include <myolines/compare/compare.h>
 #include <myolines/muscle3d/formula.h>
 #include <myolines/output/checkpoint.h>
 #include <myolines/study/csv_table.h>
@@ -36,6 +37,8 @@ namespace myolines::study
             return column(quantity, which);
           case Quantity::Source::state:
             return state(quantity.key == "displacement" ? "u" : "v", which);
+          case Quantity::Source::field:
+            return field(quantity.key, which);
           case Quantity::Source::count:
             return of_ledger("counts", quantity.key, which);
           case Quantity::Source::seconds:
@@ -130,6 +133,37 @@ namespace myolines::study
           }
       }
 
+      Measured field(const std::string &name, const Case &which)
+      {
+        if (which.reference.empty())
+          return {}; // it is one
+        if (!is_done(which.reference))
+          return {{}, "its reference is not done"};
+        try
+          {
+            for (const FieldDifference &difference : differences(which))
+              if (difference.field == name)
+                return {difference.relative(), difference.relative() ? "" : "the reference is zero"};
+            return {{}, "the system has no " + name};
+          }
+        catch (const InputError &error)
+          {
+            return {{}, error.problems().front().what};
+          }
+      }
+
+      /// Of all fields, as they cost no more than one; and the last reference, which the next case is likely to have too.
+      const std::vector<FieldDifference> &differences(const Case &which)
+      {
+        if (const auto found = differences_.find(which.name); found != differences_.end())
+          return found->second;
+        const std::filesystem::path of_reference = checkpoint_file(case_folder(folder_, which.reference));
+        if (!reference_ || reference_->file() != of_reference)
+          reference_ = std::make_unique<const SavedState>(of_reference);
+        const SavedState state(checkpoint_file(case_folder(folder_, which.name)));
+        return differences_.emplace(which.name, l2_differences(state, *reference_)).first->second;
+      }
+
       Measured of_ledger(const std::string &part, const std::string &key, const Case &which) const
       {
         const auto ledger = nlohmann::json::parse(outcomes_.at(which.name).ledger, nullptr, /*allow_exceptions*/ false);
@@ -141,6 +175,8 @@ namespace myolines::study
       const std::map<std::string, Outcome>                    &outcomes_;
       const std::filesystem::path                             &folder_;
       std::map<std::filesystem::path, std::optional<CsvTable>> tables_;
+      std::map<std::string, std::vector<FieldDifference>>      differences_; ///< of cases
+      std::unique_ptr<const SavedState>                        reference_;
     };
 
     SignalMeasures signal_measures(Evaluation &evaluation, const View &view, const Case &which)

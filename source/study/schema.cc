@@ -39,12 +39,15 @@ namespace myolines::study
     {
       Schema state("Relative l2 difference of all unknowns at the end from those of the reference run, on the same mesh.");
       state.choice("of", "displacement", {"displacement", "velocity"}, "Which.");
+      Schema field("Relative L2 difference of a field at the end from that of the reference run; meshes and degrees may differ.");
+      field.choice("of", "displacement", {"displacement", "velocity", "pressure", "dilatation"}, "Which; a rod has the first two.");
       Schema count("A count of work, from ledger.json.");
       count.text("name", std::nullopt, "As the ledger calls it, \"newton iterations\"; one that never occurred is 0.");
       Schema seconds("Seconds of a phase, from ledger.json; they stand in seconds.csv.");
       seconds.text("name", std::nullopt, "As the ledger calls it, \"residual\".");
       return Schema("A number that every case is asked for.")
-          .variant("type", "column", {{"column", column_schema()}, {"state", state}, {"count", count}, {"seconds", seconds}},
+          .variant("type", "column",
+                   {{"column", column_schema()}, {"state", state}, {"field", field}, {"count", count}, {"seconds", seconds}},
                    "Where it comes from.");
     }
 

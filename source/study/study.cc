@@ -112,9 +112,10 @@ namespace myolines::study
       else
         {
           quantity.source = type == "state"   ? Quantity::Source::state
+                            : type == "field" ? Quantity::Source::field
                             : type == "count" ? Quantity::Source::count
                                               : Quantity::Source::seconds;
-          quantity.key    = type == "state" ? node.text("of") : node.text("name");
+          quantity.key    = quantity.is_error() ? node.text("of") : node.text("name");
         }
       if (quantity.is_error() && !has_reference && !quantity.reference_file && !quantity.reference_formula)
         node.refuse("", "there is nothing to compare with", "a list \"reference\" in the study, or a reference file or formula here");
@@ -187,7 +188,7 @@ namespace myolines::study
   bool Quantity::is_error() const
   {
     const std::vector<std::string> compare = measure_names_with_reference();
-    return source == Source::state || (source == Source::column && contains(compare, measure));
+    return source == Source::state || source == Source::field || (source == Source::column && contains(compare, measure));
   }
 
   std::vector<std::string> Study::axis_names() const

@@ -138,6 +138,32 @@ TEST(StudyProgram, ReferenceIsCrossChecked)
   EXPECT_NEAR(std::stod(table->rows[4][*state]) / std::stod(table->rows[3][*state]), 0.5, 0.03);
 }
 
+/// Fields of runs on other meshes than that of the reference: the linear rod of degree p converges with order p + 1 in L2, and so it does
+/// when the steps of a method of second order are halved along with elements of degree 1.
+TEST(StudyProgram, MeasuresRatesOfFieldsInSpaceAndInBoth)
+{
+  const StudyFolder folder;
+  folder.write("scene.xml", contents(MYOLINES_SOURCE_DIR "/input/rod_linear.xml"));
+  const std::string elements = groups("size", {{"0.125", "system/elements=4"}, {"0.0625", "system/elements=8"}});
+  const auto        quantity = [](const std::string &field) { return section(field, parameter("type", "field") + parameter("of", field)); };
+  const std::string halved   = listed("step", "time/step", "0.01 | 0.005", parameter("zipped with", "size"));
+  folder.write_study(grid("space", listed("degree", "system/degree", "1 | 2") + elements) +
+                         grid("both", groups("degree", {{"both", "system/degree=1"}}) + elements + halved),
+                     parameter("kind", "convergence") + parameter("curves", "degree") + parameter("sizes", "size") +
+                         section("reference", parameter("settings", "system/degree=3 | system/elements=24") +
+                                                  parameter("instead of", "degree | size | step")) +
+                         section("quantities", quantity("displacement") + quantity("pressure")));
+  const ::Outcome outcome = run_program(folder, "study study.xml --out out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto table = read_csv(folder / "out/study.csv");
+  const auto rate = table->column("rate of displacement"), notes = table->column("notes");
+  ASSERT_EQ(table->rows.size(), 7u);
+  EXPECT_NEAR(std::stod(table->rows[2][*rate]), 2, 0.05);
+  EXPECT_NEAR(std::stod(table->rows[4][*rate]), 3, 0.1);
+  EXPECT_NEAR(std::stod(table->rows[6][*rate]), 2, 0.05);
+  EXPECT_EQ(table->rows[1][*notes], "pressure: the system has no pressure");
+}
+
 TEST(StudyProgram, StudiesThatComeAlongAreValid)
 {
   const TestFolder folder;

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace myolines
 {
@@ -23,6 +24,12 @@ namespace myolines
 
   /// The file of @p folder that holds the state to resume from.
   std::filesystem::path checkpoint_file(const std::filesystem::path &folder);
+
+  /// The file of @p folder that keeps the state after @p step, in the folder `states`.
+  std::filesystem::path kept_state_file(const std::filesystem::path &folder, std::size_t step);
+
+  /// All such files in @p folder, ascending in their steps.
+  std::vector<std::filesystem::path> kept_state_files(const std::filesystem::path &folder);
 
   /// Writes @p checkpoint to @p file: first to a file beside it, then, when that is on the disk, in one move; whenever the
   /// program is killed, one whole checkpoint stands. Collective. Vectors are written in the canonical order of the system, bit by

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 
 namespace myolines
 {
@@ -30,6 +31,9 @@ namespace myolines
   /// goes on and one that resumes are bit-equal and do not depend on the speed of the machine. Saved elsewhere, a run that resumes
   /// agrees with one that was not stopped to the tolerance of the solvers.
   ///
+  /// Where the list has a list `keep`, states on the way are kept as well, in the folder `states`; those of steps to come, which a run
+  /// that was stopped may have left, go first.
+  ///
   /// Ledger: "checkpoints"; seconds of "checkpoint".
   class CheckpointKeeper : public Keeper
   {
@@ -42,11 +46,15 @@ namespace myolines
 
   private:
     bool time_to_write() const; ///< the same on all ranks
-    void write(const State &state, std::size_t step);
+    void write(const State &state, std::size_t step, const std::filesystem::path &file);
+    void keep(const State &state, std::size_t step); ///< if the list `keep` says so
+    void sweep(std::size_t step);                    ///< removes kept states from that step on
 
     RunParts                              run_;
-    std::filesystem::path                 file_;
+    std::filesystem::path                 folder_;
     std::size_t                           every_;
+    std::optional<std::size_t>            keep_every_;
+    bool                                  swept_ = false;
     double                                seconds_;
     std::chrono::steady_clock::time_point written_at_;
     Archive                               control_; ///< after the last accepted step, without the rejections since

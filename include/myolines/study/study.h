@@ -47,6 +47,7 @@ namespace myolines::study
     {
       column, ///< measure of a column of a CSV file
       state,  ///< relative l2 difference of all unknowns at the end from the reference
+      field,  ///< relative L2 difference of a field at the end from the reference, on any meshes
       count,  ///< of ledger.json
       seconds ///< of ledger.json
     };
@@ -58,7 +59,7 @@ namespace myolines::study
     std::optional<double>                from, until;  ///< only rows within [s]
     std::optional<std::filesystem::path> reference_file;
     std::optional<std::string>           reference_formula; ///< in t
-    std::string                          key;               ///< of the ledger, or "displacement", "velocity"
+    std::string                          key;               ///< of the ledger, or the name of the field or state
 
     /// Needs something to be compared with.
     bool is_error() const;
