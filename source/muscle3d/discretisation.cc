@@ -1,3 +1,4 @@
+#include <myolines/fem/distortion.h>
 #include <myolines/muscle3d/discretisation.h>
 
 namespace myolines
@@ -31,7 +32,10 @@ namespace myolines
     , tables(kernel_tables(element))
     , scratch_(kernels.scratch_size(element.n_points_1d, element.n_modes))
   {
-    make_block(mesh, parameters.geometry.size, parameters.geometry.cells, parameters.geometry.refinement);
+    const BlockGeometry &block = parameters.geometry;
+    make_block(mesh, block.size, block.cells, block.refinement);
+    if (block.distortion > 0)
+      distort_block(mesh, block.size, block.cells, block.refinement, block.distortion);
     set_up(parameters);
   }
 

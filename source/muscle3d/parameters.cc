@@ -1,4 +1,5 @@
 #include <myolines/base/names.h>
+#include <myolines/fem/distortion.h>
 #include <myolines/muscle3d/formula.h>
 #include <myolines/muscle3d/parameters.h>
 
@@ -25,7 +26,10 @@ namespace myolines
           .integer("cells x", 1, Range::closed(1, 1000), "Coarse cells along x.")
           .integer("cells y", 1, Range::closed(1, 1000), "Coarse cells along y.")
           .integer("cells z", 1, Range::closed(1, 1000), "Coarse cells along z.")
-          .integer("refinement", 3, Range::closed(0, 8), "Each refinement halves the cells in all directions.");
+          .integer("refinement", 3, Range::closed(0, 8), "Each refinement halves the cells in all directions.")
+          .number("distortion", 0, "-", Range::closed(0, largest_distortion),
+                  "Shifts the vertices of the refined mesh at random, always the same way, by up to this part of a cell in each direction; "
+                  "the box keeps its shape.");
       return Schema("Reference body and its mesh.").variant("type", "block", {{"block", block}}, "Shape of the body.");
     }
 
@@ -322,6 +326,7 @@ namespace myolines
     p.geometry.cells     = {{static_cast<unsigned int>(geometry.integer("cells x")), static_cast<unsigned int>(geometry.integer("cells y")),
                              static_cast<unsigned int>(geometry.integer("cells z"))}};
     p.geometry.refinement = geometry.integer("refinement");
+    p.geometry.distortion = geometry.number("distortion");
 
     p.tissue          = read_tissue(system.section("tissues").section("muscle"));
     p.fibre_direction = read_fibre_direction(system.section("fibres"));

@@ -17,6 +17,7 @@ namespace myolines
     std::array<double, 3>       size{{0.03, 0.01, 0.01}}; ///< length, width, height [m]
     std::array<unsigned int, 3> cells{{1, 1, 1}};         ///< coarse cells per direction
     unsigned int                refinement = 3;           ///< global refinements of the coarse cells
+    double                      distortion = 0; ///< largest shift of a vertex per direction, in parts of a cell; see distort_block()
   };
 
   /// One named boundary condition. Faces are numbered as in the peer: 0..5 = x-, x+, y-, y+, z-, z+.
