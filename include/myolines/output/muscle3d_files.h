@@ -55,6 +55,10 @@ namespace myolines
   /// number while fibres are at rest.
   std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
+  /// strain.csv: strain and strain rate along x of the parts of the block up to x = p L, from the displacements and velocities of points of
+  /// the line between the centres of x- and x+; @p places p in (0, 1].
+  std::unique_ptr<SeriesFile> strain_file(const OutputFolder &folder, const Muscle3dSystem &system, const std::vector<double> &places);
+
   /// Length of the longest straight fibre inside the block [m], the L_f0 of thesis (7.2.1).
   double longest_fibre(const Muscle3dParameters &parameters);
 } // namespace myolines
