@@ -1,3 +1,4 @@
+#include <myolines/fem/distortion.h>
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/geometry.h>
 
@@ -26,7 +27,10 @@ namespace myolines
           .integer("cells x", 1, Range::closed(1, 1000), "Coarse cells along x.")
           .integer("cells y", 1, Range::closed(1, 1000), "Coarse cells along y.")
           .integer("cells z", 1, Range::closed(1, 1000), "Coarse cells along z.")
-          .integer("refinement", 3, Range::closed(0, 8), "Each refinement halves the cells in all directions.");
+          .integer("refinement", 3, Range::closed(0, 8), "Each refinement halves the cells in all directions.")
+          .number("distortion", 0, "-", Range::closed(0, largest_distortion),
+                  "Shifts the vertices of the refined mesh at random, always the same way, by up to this part of a cell in each direction; "
+                  "the box keeps its shape.");
       return block;
     }
 
@@ -230,6 +234,8 @@ namespace myolines
         for (const auto &cell : mesh.active_cell_iterators())
           cell->set_material_id(tissue_kinds().front().id);
         mesh.refine_global(geometry.refinement);
+        if (geometry.distortion > 0)
+          distort_block(mesh, geometry.size, geometry.cells, geometry.refinement, geometry.distortion);
       }
   }
 
@@ -251,6 +257,7 @@ namespace myolines
         geometry.size       = {{node.number("length"), node.number("width"), node.number("height")}};
         geometry.cells      = {{number("cells x"), number("cells y"), number("cells z")}};
         geometry.refinement = number("refinement");
+        geometry.distortion = node.number("distortion");
         return geometry;
       }
     const Gastrocnemius g{node.number("muscle length"), node.number("aponeurosis length"), node.number("aponeurosis height"),

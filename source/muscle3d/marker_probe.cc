@@ -56,9 +56,9 @@ namespace myolines
       throw InputError(problems);
   }
 
-  std::vector<dealii::Tensor<1, 3>> MarkerProbe::displacements(const State &state) const
+  std::vector<dealii::Tensor<1, 3>> MarkerProbe::values(const Vector &x) const
   {
-    const CurrentGhosts               ghosted(state.u);
+    const CurrentGhosts               ghosted(x);
     const Vector                     &u = ghosted.vector();
     std::vector<dealii::Tensor<1, 3>> result(markers_.size());
     for (std::size_t m = 0; m < markers_.size(); ++m)

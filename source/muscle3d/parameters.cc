@@ -15,8 +15,6 @@ namespace myolines
     using scene::Range;
     using scene::Schema;
 
-    const std::array<const char *, 3> axes{{"x", "y", "z"}};
-
     Schema tissues_schema()
     {
       Schema tissues("Materials of the body.");

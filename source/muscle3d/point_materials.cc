@@ -51,7 +51,8 @@ namespace myolines
                 m[material_tissue] = id;
                 uniform[id]        = {values_.size(), 0, has_muscle(m), has_tendon(m)};
                 for (const double x : m)
-                  values_.insert(values_.end(), n_lanes, x);
+                  for (unsigned int lane = 0; lane < n_lanes; ++lane)
+                    values_.push_back(x);
               }
             batches_.push_back(uniform[id]);
           }

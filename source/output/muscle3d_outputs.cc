@@ -1,3 +1,5 @@
+#include "places.h"
+
 #include <myolines/base/names.h>
 #include <myolines/output/dense_output.h>
 #include <myolines/output/markers.h>
@@ -37,6 +39,7 @@ namespace myolines
           .boolean("activation and length", true, "activation_muscle_length-3d.csv.")
           .choice("slab", "quadrature points", {"quadrature points", "whole cells"},
                   "Points of the slab averages: 3/8 L <= X <= 5/8 L by quadrature point (6.2.20), or by cell centre as Flexodeal does.");
+      add_strain_places(series, "points of the line from the centre of x- to that of x+");
       add_marker_parameters(series);
       return series;
     }
@@ -83,6 +86,8 @@ namespace myolines
         files.push_back(gearing_file(folder, p));
       if (series.boolean("activation and length"))
         files.push_back(activation_file(folder));
+      if (const std::vector<double> places = read_strain_places(series); !places.empty())
+        files.push_back(strain_file(folder, system, places));
       if (const std::vector<Marker> markers = read_markers(series); !markers.empty())
         files.push_back(displacements_file(folder, std::make_shared<MarkerProbe>(system, markers, markers_origin(series))));
       return files;

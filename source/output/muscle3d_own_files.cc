@@ -1,3 +1,5 @@
+#include "places.h"
+
 #include <myolines/output/csv_file.h>
 #include <myolines/output/muscle3d_files.h>
 
@@ -127,5 +129,23 @@ namespace myolines
                               const double rate = sample.body().mean_strain_rate, fibre = fibre_speed * rate;
                               return std::vector<double>{sample.t(), muscle, fibre, muscle / fibre, std::abs(rate) <= 1 ? 1. : 0.};
                             });
+  }
+
+  std::unique_ptr<SeriesFile> strain_file(const OutputFolder &folder, const Muscle3dSystem &system, const std::vector<double> &places)
+  {
+    const auto         &size = system.parameters().geometry.size;
+    std::vector<Marker> markers{{"fixed end", dealii::Point<3>(0, size[1] / 2, size[2] / 2)}};
+    for (const double place : places)
+      markers.push_back({"place", dealii::Point<3>(place * size[0], size[1] / 2, size[2] / 2)});
+    const auto probe = std::make_shared<MarkerProbe>(system, markers, "output/series/strain places");
+    return make_series_file(folder, "strain.csv", strain_columns(places), [probe, places, length = size[0]](const Muscle3dSample &sample) {
+      const auto along_x = [&probe](const Vector &x) {
+        std::vector<double> values;
+        for (const dealii::Tensor<1, 3> &value : probe->values(x))
+          values.push_back(value[0]);
+        return values;
+      };
+      return strain_row(sample.t(), places, length, along_x(sample.state().u), along_x(sample.state().v));
+    });
   }
 } // namespace myolines

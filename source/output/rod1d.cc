@@ -1,3 +1,5 @@
+#include "places.h"
+
 #include <myolines/output/csv_file.h>
 #include <myolines/output/dense_output.h>
 #include <myolines/output/outputs.h>
@@ -6,29 +8,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
+#include <optional>
 
 namespace myolines
 {
   namespace
   {
-    /// Finite numbers separated by spaces. @throws InputError through node.refuse.
-    std::vector<double> numbers(const scene::Node &node, const std::string &parameter, const std::string &what)
-    {
-      std::vector<double> values;
-      std::istringstream  words(node.text(parameter));
-      for (std::string word; words >> word;)
-        {
-          const auto value = scene::parse_number(word);
-          if (!value)
-            node.refuse(parameter, "\"" + word + "\" is not a finite number", what);
-          values.push_back(*value);
-        }
-      if (values.empty())
-        node.refuse(parameter, "there is no number", what);
-      return values;
-    }
-
     std::vector<std::string> trace_columns(const std::vector<double> &places)
     {
       std::vector<std::string> names;
@@ -53,22 +38,31 @@ namespace myolines
       return values;
     }
 
-    /// trace.csv and reaction.csv.
+    /// trace.csv and reaction.csv; strain.csv and energy.csv if asked for.
     class RodSeries : public PeriodicOutput
     {
     public:
-      RodSeries(const Rod1dSystem &system, const unsigned int every, const std::vector<double> &places, const OutputFolder &folder)
-        : PeriodicOutput(every)
+      RodSeries(const scene::Node &series, const Rod1dSystem &system, const std::vector<double> &places, const OutputFolder &folder)
+        : PeriodicOutput(series.integer("every"))
         , system_(system)
         , places_(places)
+        , strain_places_(read_strain_places(series))
         , trace_(folder, "trace.csv", with_time(trace_columns(places)))
         , reaction_(folder, "reaction.csv", {"Time [s]", "moving end x [N]", "fixed end x [N]"})
-      {}
+      {
+        if (!strain_places_.empty())
+          strain_.emplace(folder, "strain.csv", strain_columns(strain_places_));
+        if (series.boolean("energy"))
+          energy_.emplace(folder, "energy.csv", std::vector<std::string>{"Time [s]", "Kinetic [J]", "Stored [J]", "Total [J]"});
+      }
 
       void save(Archive &archive) const override
       {
         trace_.save(archive);
         reaction_.save(archive);
+        for (const auto *file : {&strain_, &energy_})
+          if (*file)
+            (*file)->save(archive);
       }
 
     private:
@@ -80,11 +74,29 @@ namespace myolines
         Vector r(state.u);
         system_.residual({state.t, side, state.u, state.v, state.a}, r);
         reaction_.row(std::vector<double>{state.t, r[r.size() - 1], r[0]});
+        if (strain_)
+          strain_->row(
+              strain_row(state.t, strain_places_, system_.parameters().length, at_strain_places(state.u), at_strain_places(state.v)));
+        if (energy_)
+          {
+            const Rod1dSystem::Energy energy = system_.energy(state);
+            energy_->row(std::vector<double>{state.t, energy.kinetic, energy.stored, energy.kinetic + energy.stored});
+          }
+      }
+
+      /// Values of @p x at the fixed end and at the places.
+      std::vector<double> at_strain_places(const Vector &x) const
+      {
+        std::vector<double> values{system_.value(x, 0)};
+        for (const double place : strain_places_)
+          values.push_back(system_.value(x, place * system_.parameters().length));
+        return values;
       }
 
       const Rod1dSystem        &system_;
-      const std::vector<double> places_;
+      const std::vector<double> places_, strain_places_;
       CsvFile                   trace_, reaction_;
+      std::optional<CsvFile>    strain_, energy_;
     };
 
     /// nodal_states.csv.
@@ -127,7 +139,9 @@ namespace myolines
   {
     scene::Schema series("Time series: trace.csv (displacement and velocity at places), reaction.csv (forces of the supports).");
     series.integer("every", 1, scene::Range::closed(1, 1e9), "A row at the start and after every so many accepted steps.")
-        .text("places", "0.25 0.5 0.9 1", "Where, in parts of the length, separated by spaces.");
+        .text("places", "0.25 0.5 0.9 1", "Where, in parts of the length, separated by spaces.")
+        .boolean("energy", false, "energy.csv: kinetic and stored energy of the rod.");
+    add_strain_places(series, "points of the rod");
     scene::Schema states("All nodes at some instants: nodal_states.csv.");
     states.text("times", std::nullopt, "Instants [s], separated by spaces; interpolated where no step ends.");
     return scene::Schema("What to write.")
@@ -141,13 +155,13 @@ namespace myolines
   {
     std::vector<std::unique_ptr<Observer>> observers;
     const scene::Node                     &series = output.section("series");
-    const std::vector<double>              places = numbers(series, "places", "numbers from 0 to 1");
+    const std::vector<double>              places = read_numbers(series, "places", "numbers from 0 to 1");
     if (std::any_of(places.begin(), places.end(), [](const double x) { return x < 0 || x > 1; }))
       series.refuse("places", "a place is not on the rod", "numbers from 0 to 1");
-    observers.push_back(std::make_unique<RodSeries>(system, series.integer("every"), places, folder));
+    observers.push_back(std::make_unique<RodSeries>(series, system, places, folder));
     if (output.has("nodal states"))
       observers.push_back(std::make_unique<NodalStates>(
-          system, sorted(numbers(output.section("nodal states"), "times", "times [s], separated by spaces")), folder));
+          system, sorted(read_numbers(output.section("nodal states"), "times", "times [s], separated by spaces")), folder));
     if (output.has("motion"))
       observers.push_back(make_motion(
           output.section("motion"), trace_columns(places), [&system, places](const State &state) { return trace(system, places, state); },

@@ -2,6 +2,7 @@
 #include "rod1d_linearisation.h"
 
 #include <limits>
+#include <numeric>
 
 namespace myolines
 {
@@ -157,6 +158,25 @@ namespace myolines
   }
 
   std::vector<double> Rod1dSystem::events(const double t0, const double t1) const { return parameters_.strain->kinks(t0, t1); }
+
+  Rod1dSystem::Energy Rod1dSystem::energy(const State &state) const
+  {
+    const Element &e = *element_;
+    const double  *u = state.u.begin(), *v = state.v.begin();
+    Energy         energy;
+    for (unsigned int k = 0; k < parameters_.n_elements; ++k, u += e.n - 1, v += e.n - 1)
+      {
+        for (const Element::GaussPoint &q : e.points)
+          {
+            const double strain = std::inner_product(u, u + e.n, q.slope.begin(), 0.);
+            energy.stored += parameters_.stiffness_factor * parameters_.area * e.h * q.weight * parameters_.material.energy(strain);
+          }
+        for (unsigned int i = 0; i < e.n; ++i)
+          for (unsigned int j = 0; j < e.n; ++j)
+            energy.kinetic += e.mass[i][j] * v[i] * v[j] / 2;
+      }
+    return energy;
+  }
 
   double Rod1dSystem::position(const unsigned int i) const { return parameters_.length * i / (layout_.size() - 1); }
 

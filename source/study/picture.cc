@@ -3,6 +3,7 @@
 #include <myolines/study/picture.h>
 #include <myolines/study/processes.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -30,11 +31,12 @@ namespace myolines::study
       return std::isfinite(x) && std::isfinite(y) && !(picture.log_x && x <= 0) && !(picture.log_y && y <= 0);
     }
 
-    void write_data(const Picture &picture, std::ostream &out)
+    /// Names of data blocks begin with @p block.
+    void write_data(const Picture &picture, const std::string &block, std::ostream &out)
     {
       for (std::size_t i = 0; i < picture.curves.size(); ++i)
         {
-          out << "$curve" << i << " << EOD\n";
+          out << "$" << block << i << " << EOD\n";
           for (const auto &point : picture.curves[i].points)
             if (drawable(picture, point))
               out << exact_text(point.first) << " " << exact_text(point.second) << "\n";
@@ -46,13 +48,14 @@ namespace myolines::study
     {
       if (words.empty())
         return;
-      out << "set " << axis << "tics (";
+      const bool crowded = axis == "x" && words.size() > 6;
+      out << "set " << axis << "tics " << (crowded ? "rotate by 30 right (" : "(");
       for (std::size_t i = 0; i < words.size(); ++i)
         out << (i > 0 ? ", " : "") << quoted(words[i].second) << " " << exact_text(words[i].first);
       out << ")\n";
     }
 
-    void write_plot(const Picture &picture, std::ostream &out)
+    void write_plot(const Picture &picture, const std::string &block, std::ostream &out)
     {
       std::string separator = "plot ";
       for (std::size_t i = 0; i < picture.curves.size(); ++i)
@@ -64,7 +67,7 @@ namespace myolines::study
           if (empty) // gnuplot would refuse the whole picture
             continue;
           const std::string style = picture.lines && picture.marks ? "linespoints" : picture.lines ? "lines" : "points";
-          out << separator << "$curve" << i << " using 1:2 with " << style << " lc rgb '" << colours[i % colours.size()] << "'";
+          out << separator << "$" << block << i << " using 1:2 with " << style << " lc rgb '" << colours[i % colours.size()] << "'";
           if (picture.lines) // where there are no marks, dashes tell curves apart
             out << " dt " << 1 + (picture.marks ? i / colours.size() : i) % 5 << " lw 1.5";
           if (picture.marks)
@@ -81,27 +84,61 @@ namespace myolines::study
         for (const auto &point : curve.points)
           if (drawable(picture, point))
             return true;
-      return false;
+      return std::any_of(picture.panels.begin(), picture.panels.end(), has_points);
+    }
+
+    void write_frame(const Picture &picture, std::ostream &out)
+    {
+      out << "set title " << quoted(picture.title) << "\nset xlabel " << quoted(picture.x_label) << "\nset ylabel "
+          << quoted(picture.y_label) << "\nset grid lc rgb '#CCCCCC'\n"
+          << (picture.marks ? "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n" : "set autoscale xfix\n");
+      for (const auto &[axis, logarithmic] : {std::pair<const char *, bool>{"x", picture.log_x}, {"y", picture.log_y}})
+        if (logarithmic)
+          out << "set logscale " << axis << "\nset format " << axis << " '%g'\n";
+      write_words("x", picture.x_words, out);
+      write_words("y", picture.y_words, out);
+    }
+
+    std::string block_name(const std::size_t panel) { return "panel" + std::to_string(panel) + "curve"; }
+
+    /// Two columns, the key of the first panel to their right.
+    void write_panels(const Picture &picture, std::ostream &out)
+    {
+      out << "set multiplot layout " << (picture.panels.size() + 1) / 2 << "," << (picture.panels.size() > 1 ? 2 : 1) << " title "
+          << quoted(picture.title)
+          << " margins 0.07,0.74,0.1,0.88 spacing 0.08,0.2\nset key at screen 0.75,0.89 left top Left reverse samplen 2\n";
+      for (std::size_t i = 0; i < picture.panels.size(); ++i)
+        if (has_points(picture.panels[i]))
+          {
+            write_frame(picture.panels[i], out);
+            write_plot(picture.panels[i], block_name(i), out);
+            out << "unset key\n";
+          }
+      out << "unset multiplot\n";
     }
   } // namespace
 
   std::string gnuplot_script(const Picture &picture)
   {
     std::ostringstream out;
-    write_data(picture, out);
-    out << "set title " << quoted(picture.title) << "\nset xlabel " << quoted(picture.x_label) << "\nset ylabel " << quoted(picture.y_label)
-        << "\nset grid lc rgb '#CCCCCC'\nset key outside right top\n"
-        << (picture.marks ? "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n" : "set autoscale xfix\n");
-    for (const auto &[axis, logarithmic] : {std::pair<const char *, bool>{"x", picture.log_x}, {"y", picture.log_y}})
-      if (logarithmic)
-        out << "set logscale " << axis << "\nset format " << axis << " '%g'\n";
-    write_words("x", picture.x_words, out);
-    write_words("y", picture.y_words, out);
-    out << "set terminal pngcairo noenhanced size 1500,900 font 'Sans,18' linewidth 2\nset output " << quoted(picture.name + ".png")
-        << "\n";
-    write_plot(picture, out);
-    out << "set terminal svg noenhanced size 1000,600 font 'Sans,14' linewidth 1.5 background 'white'\nset output "
-        << quoted(picture.name + ".svg") << "\nreplot\n";
+    const std::string  block = "curve";
+    write_data(picture, block, out);
+    for (std::size_t i = 0; i < picture.panels.size(); ++i)
+      write_data(picture.panels[i], block_name(i), out);
+    for (const auto &[terminal, extension] :
+         {std::pair<const char *, const char *>{"pngcairo noenhanced size 1500,900 font 'Sans,18' linewidth 2", ".png"},
+          {"svg noenhanced size 1000,600 font 'Sans,14' linewidth 1.5 background 'white'", ".svg"}})
+      {
+        out << "set terminal " << terminal << "\nset output " << quoted(picture.name + extension) << "\n";
+        if (picture.panels.empty())
+          {
+            out << "set key outside right top\n";
+            write_frame(picture, out);
+            write_plot(picture, block, out);
+          }
+        else
+          write_panels(picture, out);
+      }
     return out.str();
   }
 

@@ -51,6 +51,18 @@ namespace myolines::study
                    "Where it comes from.");
     }
 
+    Schema picture_schema()
+    {
+      Schema schema("Time series of the cases that are done, a panel for each column, a curve for each case.");
+      schema.text("file", std::nullopt, "CSV file of the cases' folders, \"strain.csv\".")
+          .text("columns", std::nullopt, "Headers of columns, with their units, \"a [m] | b [m]\".")
+          .text("over", "", "Header of the column that is the abscissa; the first if empty.")
+          .text("of", "", "Only cases at these points of the axes, \"profile=ramp | mesh=coarse | mesh=fine\".")
+          .optional_number("from", "", Range::any(), "Rows whose abscissa is before are left out.")
+          .optional_number("until", "", Range::any(), "Rows whose abscissa is after are left out.");
+      return schema;
+    }
+
     std::vector<std::pair<std::string, Schema>> kinds()
     {
       Schema sweep("Quantities over parameters.");
@@ -85,6 +97,8 @@ namespace myolines::study
     grids.named_sections(Schema("A set of axes, each crossed with the others.").named_sections(axis_schema()));
     Schema quantities("Columns of the table, beside class and rates.");
     quantities.named_sections(quantity_schema());
+    Schema pictures("Pictures of time series, which `plot` draws beside those of the kind.");
+    pictures.named_sections(picture_schema());
     Schema budget("When to stop.");
     budget.number("case", 3600, "s", Range::positive(), "Wall-clock time after which a case is ended; its row says so.")
         .number("total", 604800, "s", Range::positive(), "Wall-clock time after which the study ends; run again, it goes on.");
@@ -101,6 +115,7 @@ namespace myolines::study
         .optional_section("cross check",
                           reference_schema("Runs by another method, measured against the reference: how far it can be trusted."))
         .section("quantities", quantities)
+        .section("pictures", pictures)
         .section("budget", budget);
     return root;
   }

@@ -1,4 +1,5 @@
 #include "axis.h"
+#include "series_pictures.h"
 
 #include <myolines/base/names.h>
 #include <myolines/muscle3d/formula.h>
@@ -261,6 +262,8 @@ namespace myolines::study
     for (const Node &quantity : node.section("quantities").named())
       study.quantities.push_back(read_quantity(quantity, study.reference.has_value()));
     study.view = read_view(node, study);
+    for (const Node &picture : node.section("pictures").named())
+      study.pictures.push_back(read_series_picture(picture, study));
     return study;
   }
 } // namespace myolines::study

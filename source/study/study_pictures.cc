@@ -1,3 +1,5 @@
+#include "series_pictures.h"
+
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/scene/numbers.h>
@@ -125,6 +127,7 @@ namespace myolines::study
       return picture;
     }
 
+    /// "" if there is none.
     std::string first_with_numbers(const Study &study)
     {
       for (const std::string &name : study.axis_names())
@@ -133,13 +136,18 @@ namespace myolines::study
           if (std::all_of(points.begin(), points.end(), [](const AxisPoint &p) { return p.number.has_value(); }))
             return name;
         }
-      throw InputError(InputProblem{"study", "no axis has numbers, there is nothing to draw along", "an axis of numbers", ""});
+      return "";
     }
 
     std::vector<Picture> sweep_pictures(const Study &study, const PointTable &table)
     {
       const std::string    axis = study.view.abscissa.empty() ? first_with_numbers(study) : study.view.abscissa;
       std::vector<Picture> pictures;
+      if (axis.empty() && !study.pictures.empty()) // time series say it all
+        return pictures;
+      if (axis.empty())
+        throw InputError(InputProblem{"study", "no axis has numbers, there is nothing to draw along",
+                                      "an axis of numbers, or a list \"pictures\" of time series", ""});
       for (const Quantity &quantity : study.quantities)
         pictures.push_back(diagram(study, table, quantity.name + " over " + axis, table.axis_header(axis), header_of(quantity), {axis}));
       return pictures;
@@ -237,21 +245,31 @@ namespace myolines::study
     }
   } // namespace
 
+  namespace
+  {
+    std::vector<Picture> pictures_by_kind(const Study &study, const PointTable &table)
+    {
+      switch (study.view.kind)
+        {
+        case Kind::sweep:
+          return sweep_pictures(study, table);
+        case Kind::work_precision:
+          return work_precision_pictures(study, table);
+        case Kind::convergence:
+          return convergence_pictures(study, table);
+        case Kind::stability_map:
+          return map_pictures(study, table);
+        }
+      throw std::logic_error("unknown kind of study");
+    }
+  } // namespace
+
   std::vector<Picture> pictures_of_study(const std::filesystem::path &folder)
   {
-    const Study      study = read_study(read_study_file(folder / "study.resolved.xml"));
-    const PointTable table(study, folder);
-    switch (study.view.kind)
-      {
-      case Kind::sweep:
-        return sweep_pictures(study, table);
-      case Kind::work_precision:
-        return work_precision_pictures(study, table);
-      case Kind::convergence:
-        return convergence_pictures(study, table);
-      case Kind::stability_map:
-        return map_pictures(study, table);
-      }
-    throw std::logic_error("unknown kind of study");
+    const Study          study    = read_study(read_study_file(folder / "study.resolved.xml"));
+    std::vector<Picture> pictures = pictures_by_kind(study, PointTable(study, folder));
+    for (Picture &picture : series_pictures(study, folder))
+      pictures.push_back(std::move(picture));
+    return pictures;
   }
 } // namespace myolines::study

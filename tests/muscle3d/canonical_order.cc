@@ -47,6 +47,16 @@ TEST(CanonicalOrder, DoesNotDependOnTheRanks)
         }
 }
 
+TEST(CanonicalOrder, DistortsTheMeshTheSameWayOnAllRanks)
+{
+  Muscle3dParameters p  = test::small_block(2, 3, 1);
+  p.geometry.cells      = {{3, 1, 2}};
+  p.geometry.distortion = 0.16;
+  WorkLedger           ledger;
+  const Muscle3dSystem shared(p, MPI_COMM_WORLD, ledger), whole(p, MPI_COMM_SELF, ledger);
+  EXPECT_EQ(sequence(shared, MPI_COMM_WORLD), sequence(whole, MPI_COMM_SELF));
+}
+
 TEST(CanonicalOrder, HasEveryOwnedEntryOnce)
 {
   WorkLedger                ledger;

@@ -95,3 +95,27 @@ TEST(RodOutputs, refuseWhatIsNoPlaceAndNoTime)
   EXPECT_THROW(Outputs({"nodal states/times=0.1 soon"}), InputError);
   EXPECT_THROW(Outputs({"nodal states/times= "}), InputError);
 }
+
+/// u = X t^3: strain t^3 everywhere, rate 3 t^2; E = 6e5 Pa, 0.1 m long, 1e-4 m^2.
+TEST(RodOutputs, strainsAndEnergy)
+{
+  Outputs run({"series/strain places=0.25 1", "series/energy=true"});
+  run.at(0, 0);
+  run.at(0.2, 1);
+  const auto strain = run.folder.lines("strain.csv"), energy = run.folder.lines("energy.csv");
+  EXPECT_EQ(strain.at(0), "Time [s],strain(0.25 L) [-],strain(1 L) [-],strain rate(0.25 L) [1/s],strain rate(1 L) [1/s]");
+  const auto row = test::numbers(strain.at(2));
+  for (const unsigned int place : {0, 1})
+    {
+      EXPECT_NEAR(row[1 + place], 0.008, 1e-15);
+      EXPECT_NEAR(row[3 + place], 0.12, 1e-14);
+    }
+  EXPECT_EQ(energy.at(0), "Time [s],Kinetic [J],Stored [J],Total [J]");
+  const auto   joule   = test::numbers(energy.at(2));
+  const double kinetic = 1060 * 1e-4 * 0.12 * 0.12 * 0.1 * 0.1 * 0.1 / 6, stored = 6e5 / 2 * 0.008 * 0.008 * 1e-5;
+  EXPECT_NEAR(joule[1], kinetic, 1e-12 * kinetic);
+  EXPECT_NEAR(joule[2], stored, 1e-12 * stored);
+  EXPECT_NEAR(joule[3], kinetic + stored, 1e-12 * stored);
+  for (const char *bad : {"0", "1.1", "-0.5", "end"})
+    EXPECT_THROW(Outputs({std::string("series/strain places=") + bad}), InputError) << bad;
+}

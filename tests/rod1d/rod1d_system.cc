@@ -188,3 +188,33 @@ TEST(Rod1d, aStepThatCannotBeSolvedIsAValue)
   EXPECT_FALSE(report.reason.empty());
   EXPECT_TRUE(std::equal(before.begin(), before.end(), rod.state.u.begin()));
 }
+
+/// Forces are the derivatives of the stored energy, and M v those of the kinetic one.
+TEST(Rod1d, itsForcesAreDerivativesOfItsEnergy)
+{
+  for (const bool linear : {true, false})
+    {
+      WorkLedger        ledger;
+      const Rod1dSystem system(parameters(2, linear), ledger);
+      State             state = random_state(system, 1e-3);
+      const auto        slope = [&](Vector State::*x, const unsigned int i, double Rod1dSystem::Energy::*part) {
+        const double h = 1e-6;
+        State        other(state);
+        const double x0 = (state.*x)[i];
+        (other.*x)[i]   = x0 + h;
+        const double up = system.energy(other).*part;
+        (other.*x)[i]   = x0 - h;
+        return (up - system.energy(other).*part) / (2 * h);
+      };
+      State resting(state), moving(state);
+      resting.a          = 0;
+      moving.u           = 0;
+      moving.a           = state.v;
+      const Vector force = residual(system, resting), momentum = residual(system, moving);
+      for (unsigned int i = 0; i < force.size(); ++i)
+        {
+          EXPECT_NEAR(slope(&State::u, i, &Rod1dSystem::Energy::stored), force[i], 1e-5 * force.linfty_norm()) << i;
+          EXPECT_NEAR(slope(&State::v, i, &Rod1dSystem::Energy::kinetic), momentum[i], 1e-6 * momentum.linfty_norm()) << i;
+        }
+    }
+}

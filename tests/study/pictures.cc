@@ -98,3 +98,46 @@ TEST(Pictures, SweepsHaveACurveForEachMethod)
   EXPECT_EQ(pictures[0].curves[0].title, "be");
   EXPECT_EQ(pictures[0].curves[0].points, (std::vector<std::pair<double, double>>{{0.05, 2}, {0.1, 4}}));
 }
+
+TEST(Pictures, TimeSeriesHaveAPanelForEachColumnAndACurveForEachCase)
+{
+  const StudyFolder folder;
+  const std::string axes = groups("method", {{"be", "integrator/type=backward euler"}, {"nm", "integrator/type=newmark"}}) +
+                           listed("mass", "system/mass", "1 | 2");
+  const std::string picture =
+      parameter("file", "s.csv") + parameter("columns", "a [m] | b [m]") + parameter("of", "mass=1") + parameter("from", "0.5", "double");
+  std::filesystem::copy(folder.write_study(grid("all", axes), section("pictures", section("waves", picture))),
+                        folder / "study.resolved.xml");
+  folder.write("study.csv", "case,role,method,mass,status,reason,notes\n"
+                            "\"method=be,mass=1\",case,be,1,done,,\n\"method=nm,mass=1\",case,nm,1,failed,no,\n"
+                            "\"method=be,mass=2\",case,be,2,done,,\n\"method=nm,mass=2\",case,nm,2,done,,\n");
+  folder.write("seconds.csv", "case,CPU [s],wall clock [s]\n");
+  for (const char *name : {"method=be,mass=1", "method=nm,mass=1", "method=be,mass=2"})
+    {
+      std::filesystem::create_directories(folder / "cases" / name);
+      folder.write(std::string("cases/") + name + "/s.csv", "Time [s],a [m],b [m]\n0,1,2\n1,3,4\n2,5,6\n");
+    }
+  const auto pictures = pictures_of_study(folder.path());
+  const auto waves    = std::find_if(pictures.begin(), pictures.end(), [](const Picture &p) { return p.name == "waves"; });
+  ASSERT_NE(waves, pictures.end());
+  ASSERT_EQ(waves->panels.size(), 2u);
+  EXPECT_EQ(waves->panels[1].title, "b [m]");
+  EXPECT_EQ(waves->panels[1].x_label, "Time [s]");
+  ASSERT_EQ(waves->panels[1].curves.size(), 1u) << "one is done, with mass 1";
+  EXPECT_EQ(waves->panels[1].curves[0].title, "be");
+  EXPECT_EQ(waves->panels[1].curves[0].points, (std::vector<std::pair<double, double>>{{1, 4}, {2, 6}}));
+  EXPECT_EQ(draw({*waves}, folder.path()), 1u);
+  EXPECT_GT(std::filesystem::file_size(folder / "waves.png"), 1000u);
+}
+
+TEST(Pictures, TimeSeriesOfWhatTheStudyHasNotAreRefused)
+{
+  for (const char *of : {"masses=1", "mass=3", "mass"})
+    {
+      const StudyFolder folder;
+      const std::string picture = parameter("file", "s.csv") + parameter("columns", "a [m]") + parameter("of", of);
+      EXPECT_THROW(folder.study(grid("all", listed("mass", "system/mass", "1 | 2")), section("pictures", section("waves", picture))),
+                   InputError)
+          << of;
+    }
+}

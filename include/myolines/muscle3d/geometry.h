@@ -5,6 +5,7 @@
 #include <myolines/scene/scene.h>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ namespace myolines
     std::array<double, 3>           size{{0.03, 0.01, 0.01}}; ///< length along the line of action x, width, height [m]
     std::array<unsigned int, 3>     cells{{1, 1, 1}};         ///< coarse cells per direction
     unsigned int                    refinement = 3;           ///< global refinements of the coarse cells
+    double distortion = 0; ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
     std::optional<Gastrocnemius>    gastrocnemius;
     std::shared_ptr<const GmshBody> gmsh; ///< with neither: a block
 

@@ -103,7 +103,7 @@ namespace myolines
   };
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state);
 
-  /// Evaluates displacements at fixed material points. @throws InputError naming the marker if one lies outside the body.
+  /// Evaluates vectors of the system at fixed material points. @throws InputError naming the marker if one lies outside the body.
   struct Marker
   {
     std::string      name;
@@ -113,7 +113,9 @@ namespace myolines
   {
   public:
     MarkerProbe(const Muscle3dSystem &system, std::vector<Marker> markers, const std::string &where);
-    std::vector<dealii::Tensor<1, 3>> displacements(const State &state) const;
+    /// Of displacements or velocities: @p x has one entry for each unknown.
+    std::vector<dealii::Tensor<1, 3>> values(const Vector &x) const;
+    std::vector<dealii::Tensor<1, 3>> displacements(const State &state) const { return values(state.u); }
     const std::vector<Marker>        &markers() const { return markers_; }
 
   private:

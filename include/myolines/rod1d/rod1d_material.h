@@ -23,6 +23,12 @@ namespace myolines
     {
       return linear ? young * strain : (mu * strain * (2 + strain) + lambda * std::log1p(strain)) / (1 + strain);
     }
+    /// Energy per reference volume [J/m^3], the integral of P from l = 1.
+    double energy(const double strain) const
+    {
+      const double log_stretch = std::log1p(strain);
+      return linear ? young * strain * strain / 2 : mu * strain * (2 + strain) / 2 + log_stretch * (lambda * log_stretch / 2 - mu);
+    }
     /// dP/dl
     double tangent(const double strain) const
     {

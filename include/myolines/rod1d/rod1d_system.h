@@ -51,6 +51,13 @@ namespace myolines
 
     const Rod1dParameters &parameters() const { return parameters_; }
 
+    /// Of the whole rod at one state [J].
+    struct Energy
+    {
+      double kinetic = 0, stored = 0;
+    };
+    Energy energy(const State &state) const;
+
     /// Position of node @p i [m].
     double position(unsigned int i) const;
 

@@ -24,6 +24,9 @@ namespace myolines::study
     std::vector<Curve> curves;
     /// Words at places of the axes, instead of numbers.
     std::vector<std::pair<double, std::string>> x_words, y_words;
+    /// If there are any, the picture has no curves of its own but these, in two columns under its title and with the key of the first:
+    /// their curves have the same titles.
+    std::vector<Picture> panels;
   };
 
   /// The commands for gnuplot that draw @p picture as NAME.png and NAME.svg in its folder, data included. Colours are those that

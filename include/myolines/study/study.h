@@ -3,6 +3,7 @@
 #include <myolines/scene/scene.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,6 +66,17 @@ namespace myolines::study
     bool is_error() const;
   };
 
+  /// A picture of time series: a panel for each column, in each a curve for each case.
+  struct SeriesPicture
+  {
+    std::string                                     name;
+    std::string                                     file;
+    std::vector<std::string>                        columns;
+    std::string                                     over; ///< header of the abscissa; "" for the first column
+    std::map<std::string, std::vector<std::string>> of;   ///< axis -> the labels wanted; all of other axes
+    std::optional<double>                           from, until;
+  };
+
   enum class Kind
   {
     sweep,
@@ -91,15 +103,16 @@ namespace myolines::study
   /// A study as its file describes it, consistent.
   struct Study
   {
-    std::string              title;
-    std::filesystem::path    scene; ///< the base
-    std::vector<std::string> settings;
-    bool                     resumes = false; ///< interrupted cases go on from their checkpoints
-    double                   case_seconds, total_seconds;
-    std::vector<Grid>        grids;
-    std::optional<Reference> reference, cross_check;
-    std::vector<Quantity>    quantities;
-    View                     view;
+    std::string                title;
+    std::filesystem::path      scene; ///< the base
+    std::vector<std::string>   settings;
+    bool                       resumes = false; ///< interrupted cases go on from their checkpoints
+    double                     case_seconds, total_seconds;
+    std::vector<Grid>          grids;
+    std::optional<Reference>   reference, cross_check;
+    std::vector<Quantity>      quantities;
+    View                       view;
+    std::vector<SeriesPicture> pictures;
 
     /// Names of all axes, in order of their first appearance.
     std::vector<std::string> axis_names() const;
