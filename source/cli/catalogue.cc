@@ -136,7 +136,8 @@ namespace myolines
                                                   {"system/profile/duration", "2"},
                                                   {"time/end", "2"},
                                                   {"time/step", "0.001"}};
-      const std::vector<scene::Setting> walking{{"title", "A muscle with its tendon in a synthetic gait"}, {"time/end", "2"}, {"time/step", "1e-3"}};
+      const std::vector<scene::Setting> walking{
+          {"title", "A muscle with its tendon in a synthetic gait"}, {"time/end", "2"}, {"time/step", "1e-3"}};
       const std::vector<scene::Setting> relaxing{{"title", "An active muscle at fixed length"}, {"time/end", "10"}, {"time/step", "1e-3"}};
       return {{"muscle 3d",
                muscle3d_schema(),
@@ -145,10 +146,27 @@ namespace myolines
                {{"system/inertia", "quasi-static"}},
                make_muscle3d,
                muscle3d_size},
-              {"muscle-tendon unit", muscle_tendon_unit_schema(), muscle_tendon_output_schema(), walking, {}, make_muscle_tendon_unit,
+              {"muscle-tendon unit",
+               muscle_tendon_unit_schema(),
+               muscle_tendon_output_schema(),
+               walking,
+               {},
+               make_muscle_tendon_unit,
                muscle_tendon_unit_size},
-              {"continuum muscle", continuum_muscle_schema(), muscle_tendon_output_schema(), walking, {}, make_continuum_muscle, continuum_muscle_size},
-              {"isometric chain", isometric_chain_schema(), isometric_chain_output_schema(), relaxing, {}, make_isometric_chain, isometric_chain_size},
+              {"continuum muscle",
+               continuum_muscle_schema(),
+               muscle_tendon_output_schema(),
+               walking,
+               {},
+               make_continuum_muscle,
+               continuum_muscle_size},
+              {"isometric chain",
+               isometric_chain_schema(),
+               isometric_chain_output_schema(),
+               relaxing,
+               {},
+               make_isometric_chain,
+               isometric_chain_size},
               {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {}, make_rod1d, rod1d_size},
               {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator, oscillator_size}};
     }

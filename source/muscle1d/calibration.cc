@@ -19,7 +19,8 @@ namespace myolines
     }
 
     /// The zero of @p f next to @p x within @p low and @p high, looked for in steps of a thousandth of that range.
-    double nearest_zero(const std::function<double(double)> &f, const double x, const double low, const double high, const std::string &what)
+    double nearest_zero(const std::function<double(double)> &f, const double x, const double low, const double high,
+                        const std::string &what)
     {
       const double step = (high - low) / 1000, at_x = f(x);
       if (at_x == 0)
@@ -49,10 +50,9 @@ namespace myolines
 
   MuscleData MuscleData::table21(const std::string &muscle, const std::string &task)
   {
-    static const std::map<std::string, OfMuscle> muscles{{"MG", {0.0362, 0.54, 0.3910, 0.3952}},
-                                                         {"VM", {0.0606, 0.84, 0.2770, 0.2171}},
-                                                         {"ST", {0.026, 0.70, 0.4122, 0.4381}}};
-    static const std::map<std::string, bool>     tasks{{"walking", false}, {"running", false}, {"cycling", true}};
+    static const std::map<std::string, OfMuscle> muscles{
+        {"MG", {0.0362, 0.54, 0.3910, 0.3952}}, {"VM", {0.0606, 0.84, 0.2770, 0.2171}}, {"ST", {0.026, 0.70, 0.4122, 0.4381}}};
+    static const std::map<std::string, bool> tasks{{"walking", false}, {"running", false}, {"cycling", true}};
 
     const OfMuscle &of      = muscles.at(muscle);
     const bool      cycling = tasks.at(task);

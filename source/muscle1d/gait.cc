@@ -37,7 +37,8 @@ namespace myolines
 
   double GaitLength::second_derivative(const double t, Side) const
   {
-    return length_ * amplitude_ * omega_ * omega_ * (first_harmonic * std::cos(omega_ * t) + 4 * second_harmonic * std::cos(2 * omega_ * t));
+    return length_ * amplitude_ * omega_ * omega_ *
+           (first_harmonic * std::cos(omega_ * t) + 4 * second_harmonic * std::cos(2 * omega_ * t));
   }
 
   GaitExcitation::GaitExcitation(const double frequency)

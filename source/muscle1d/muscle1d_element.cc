@@ -9,7 +9,7 @@ namespace myolines
     : n(degree + 1)
     , h(length)
   {
-    const auto shapes = dealii::Polynomials::generate_complete_Lagrange_basis(dealii::QGaussLobatto<1>(n).get_points());
+    const auto              shapes = dealii::Polynomials::generate_complete_Lagrange_basis(dealii::QGaussLobatto<1>(n).get_points());
     const dealii::QGauss<1> gauss(n_points);
     for (unsigned int q = 0; q < n_points; ++q)
       {

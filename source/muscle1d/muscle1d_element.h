@@ -16,10 +16,10 @@ namespace myolines
     /// @p n_points Gauss points; @p density [kg/m], 0: no mass.
     Element(unsigned int degree, double h, unsigned int n_points, double density);
 
-    static double sum(const GaussPoint &q, const std::vector<double> &values)
+    static double sum(const GaussPoint &q, const double *values)
     {
       double result = 0;
-      for (std::size_t i = 0; i < values.size(); ++i)
+      for (std::size_t i = 0; i < q.slope.size(); ++i)
         result += q.slope[i] * values[i];
       return result;
     }

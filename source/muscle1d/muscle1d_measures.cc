@@ -6,7 +6,7 @@ namespace myolines
 {
   std::vector<std::string> Muscle1dSystem::plan() const
   {
-    const Muscle1dParameters &p     = parameters_;
+    const Muscle1dParameters &p = parameters_;
     std::vector<std::string>  lines;
     const auto                add = [&](const std::string &what, const double value, const std::string &unit) {
       std::ostringstream line;
@@ -21,8 +21,8 @@ namespace myolines
     add("maximum isometric force F_0", p.maximum_force, "N");
     add("mass of the muscle", p.mass, "kg");
     // rho l^2 e_0^2/sigma_0 = m l e_0^2/F_0
-    add("musculoskeletal Reynolds number", p.mass * p.optimal_length * p.force.maximum_strain_rate * p.force.maximum_strain_rate / p.maximum_force,
-        "");
+    add("musculoskeletal Reynolds number",
+        p.mass * p.optimal_length * p.force.maximum_strain_rate * p.force.maximum_strain_rate / p.maximum_force, "");
     return lines;
   }
 
@@ -40,12 +40,10 @@ namespace myolines
 
   std::vector<double> Muscle1dSystem::element_stretches(const Vector &u) const
   {
-    std::vector<double> stretches, values(element_->n);
-    for (unsigned int e = 0; e < parameters_.n_elements; ++e)
-      {
-        gather(e, u, values);
-        stretches.push_back(parameters_.initial_stretch + (values.back() - values.front()) / element_->h);
-      }
+    std::vector<double> stretches, nodes;
+    scatter(u, nodes);
+    for (unsigned int begin = 0; begin + 1 < n_nodes(); begin += parameters_.degree)
+      stretches.push_back(parameters_.initial_stretch + (nodes[begin + parameters_.degree] - nodes[begin]) / element_->h);
     return stretches;
   }
 
@@ -55,12 +53,17 @@ namespace myolines
     return (parameters_.tendon->unit_length->value(t) - muscle) / parameters_.tendon->optimal_length;
   }
 
-  double Muscle1dSystem::fixed_end_force(const double t, const Vector &u, const Vector &v) const
+  std::vector<double> Muscle1dSystem::element_forces(const double t, const Vector &u, const Vector &v) const
   {
-    std::vector<double> values(element_->n), rates(element_->n);
-    gather(0, u, values);
-    gather(0, v, rates);
+    std::vector<double> forces, displacements, velocities;
+    scatter(u, displacements);
+    scatter(v, velocities);
     const Element::GaussPoint &q = element_->points.front();
-    return parameters_.force(parameters_.initial_stretch + Element::sum(q, values), Element::sum(q, rates), element_activation(0, t, u)).force;
+    for (unsigned int e = 0, begin = 0; e < parameters_.n_elements; ++e, begin += parameters_.degree)
+      forces.push_back(parameters_
+                           .force(parameters_.initial_stretch + Element::sum(q, &displacements[begin]), Element::sum(q, &velocities[begin]),
+                                  element_activation(e, t, u))
+                           .force);
+    return forces;
   }
 } // namespace myolines

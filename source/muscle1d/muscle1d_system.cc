@@ -65,10 +65,16 @@ namespace myolines
     return solves_activation() ? u.local_element(of_activation(element)) / parameters_.optimal_length : parameters_.activation->value(t);
   }
 
-  void Muscle1dSystem::gather(const unsigned int element, const Vector &x, std::vector<double> &values) const
+  void Muscle1dSystem::scatter(const Vector &x, std::vector<double> &nodes) const
   {
-    for (unsigned int i = 0, node = element * parameters_.degree; i < element_->n; ++i, ++node)
-      values[i] = is_free(node) ? x.local_element(of_node(node)) : 0;
+    nodes.assign(n_nodes(), 0.);
+    const double *from = x.begin();
+    for (unsigned int node = 1; node <= n_free_nodes(parameters_); ++node)
+      {
+        if (solves_activation() && (node - 1) % parameters_.degree == 0)
+          ++from;
+        nodes[node] = *from++;
+      }
   }
 
   Evaluation Muscle1dSystem::residual(const Point &point, Vector &r) const
@@ -83,52 +89,61 @@ namespace myolines
     if (point.t > p.input_end * (1 + 1e-12))
       return refused("the samples of the input end at " + std::to_string(p.input_end) + " s");
 
-    std::fill_n(r.begin(), r.size(), 0.);
-    const double        given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
-    std::vector<double> u(element_->n), v(element_->n), a(element_->n), force(element_->n);
-    for (unsigned int e = 0; e < p.n_elements; ++e)
+    std::vector<double> u, v, a, force(n_nodes(), 0.);
+    scatter(point.u, u);
+    scatter(point.v, v);
+    const double given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
+    for (unsigned int e = 0, begin = 0; e < p.n_elements; ++e, begin += p.degree)
       {
-        gather(e, point.u, u);
-        gather(e, point.v, v);
         const double activation = solves_activation() ? element_activation(e, point.t, point.u) : given;
-        std::fill(force.begin(), force.end(), 0.);
         for (const Element::GaussPoint &q : element_->points)
           {
-            const double stretch = p.initial_stretch + Element::sum(q, u);
+            const double stretch = p.initial_stretch + Element::sum(q, &u[begin]);
             if (!(stretch > 0) || !std::isfinite(stretch))
               return refused("the stretch of the muscle is not positive somewhere");
-            const double f = p.maximum_force * q.weight * p.force(stretch, Element::sum(q, v), activation).force;
+            const double f = q.weight * p.force(stretch, Element::sum(q, &v[begin]), activation).force;
             for (unsigned int i = 0; i < element_->n; ++i)
-              force[i] += f * q.slope[i];
-          }
-        if (!element_->mass.empty())
-          {
-            gather(e, point.a, a);
-            for (unsigned int i = 0; i < element_->n; ++i)
-              for (unsigned int j = 0; j < element_->n; ++j)
-                force[i] += element_->mass[i][j] * a[j];
-          }
-        for (unsigned int i = 0, node = e * p.degree; i < element_->n; ++i, ++node)
-          if (is_free(node))
-            r.local_element(of_node(node)) += force[i];
-        if (solves_activation())
-          {
-            const double rate = point.v.local_element(of_activation(e)) / p.optimal_length;
-            r.local_element(of_activation(e)) =
-                p.maximum_force * p.zajac.time_constant * (rate - p.zajac.rate(p.excitation->value(point.t, point.side), activation));
+              force[begin + i] += f * q.slope[i];
           }
       }
-    if (point_mass_ > 0)
-      for (unsigned int node = 1; node < n_nodes(); ++node)
-        if (is_free(node))
-          r.local_element(of_node(node)) += point_mass_ * point.a.local_element(of_node(node));
+    for (double &f : force)
+      f *= p.maximum_force;
     if (p.tendon)
-      {
-        const double length = p.tendon->unit_length->value(point.t, point.side) - p.initial_stretch * p.optimal_length;
-        r.local_element(of_node(n_nodes() - 1)) -=
-            p.maximum_force * hill::tendon((length - end_displacement(point.u)) / p.tendon->optimal_length).value;
-      }
+      force.back() -= p.maximum_force * tendon(point.t, point.side, u.back()).value;
+    add_inertia(point.a, a, force);
+    for (unsigned int node = 1; node <= n_free_nodes(p); ++node)
+      r.local_element(of_node(node)) = force[node];
+    if (solves_activation())
+      for (unsigned int e = 0; e < p.n_elements; ++e)
+        {
+          const double rate = point.v.local_element(of_activation(e)) / p.optimal_length;
+          r.local_element(of_activation(e)) =
+              p.maximum_force * p.zajac.time_constant *
+              (rate - p.zajac.rate(p.excitation->value(point.t, point.side), element_activation(e, point.t, point.u)));
+        }
     return {};
+  }
+
+  void Muscle1dSystem::add_inertia(const Vector &acceleration, std::vector<double> &a, std::vector<double> &force) const
+  {
+    if (parameters_.mass_of == MassOf::none)
+      return;
+    scatter(acceleration, a);
+    if (parameters_.mass_of == MassOf::points)
+      for (unsigned int node = 1; node < n_nodes(); ++node)
+        force[node] += point_mass_ * a[node];
+    else
+      for (unsigned int begin = 0; begin + 1 < n_nodes(); begin += parameters_.degree)
+        for (unsigned int i = 0; i < element_->n; ++i)
+          for (unsigned int j = 0; j < element_->n; ++j)
+            force[begin + i] += element_->mass[i][j] * a[begin + j];
+  }
+
+  hill::Curve Muscle1dSystem::tendon(const double t, const Side side, const double end) const
+  {
+    const Tendon &tendon = *parameters_.tendon;
+    return hill::tendon((tendon.unit_length->value(t, side) - parameters_.initial_stretch * parameters_.optimal_length - end) /
+                        tendon.optimal_length);
   }
 
   std::unique_ptr<Linearisation> Muscle1dSystem::make_linearisation() const
@@ -148,16 +163,16 @@ namespace myolines
     auto                     &bands = dynamic_cast<Muscle1dLinearisation &>(linearisation);
     bands.begin();
     const double        given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
-    std::vector<double> u(element_->n), v(element_->n);
+    std::vector<double> u, v;
+    scatter(point.u, u);
+    scatter(point.v, v);
     for (unsigned int e = 0; e < p.n_elements; ++e)
       {
-        gather(e, point.u, u);
-        gather(e, point.v, v);
         const double       activation = solves_activation() ? element_activation(e, point.t, point.u) : given;
         const unsigned int own = of_activation(e), begin = e * p.degree;
         for (const Element::GaussPoint &q : element_->points)
           {
-            const HillForce::Value f    = p.force(p.initial_stretch + Element::sum(q, u), Element::sum(q, v), activation);
+            const HillForce::Value f    = p.force(p.initial_stretch + Element::sum(q, &u[begin]), Element::sum(q, &v[begin]), activation);
             const double           unit = p.maximum_force * q.weight;
             for (unsigned int i = 0; i < element_->n; ++i)
               {
@@ -191,10 +206,8 @@ namespace myolines
           bands.mass(of_node(node), of_node(node)) = point_mass_;
     if (p.tendon)
       {
-        const unsigned int end    = of_node(n_nodes() - 1);
-        const double       length = p.tendon->unit_length->value(point.t, point.side) - p.initial_stretch * p.optimal_length;
-        bands.stiffness(end, end) +=
-            p.maximum_force / p.tendon->optimal_length * hill::tendon((length - end_displacement(point.u)) / p.tendon->optimal_length).slope;
+        const unsigned int end = of_node(n_nodes() - 1);
+        bands.stiffness(end, end) += p.maximum_force / p.tendon->optimal_length * tendon(point.t, point.side, u.back()).slope;
       }
   }
 

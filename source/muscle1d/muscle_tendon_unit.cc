@@ -85,7 +85,7 @@ namespace myolines
 
     std::shared_ptr<const SampledDrive> sampled(const Node &node, const Samples &samples, const double factor)
     {
-      const std::string choice = "interpolation", cut_off = "cut-off frequency";
+      const std::string   choice = "interpolation", cut_off = "cut-off frequency";
       std::vector<double> x = samples.x.front();
       for (double &value : x)
         value *= factor;
@@ -100,12 +100,13 @@ namespace myolines
     Input read_input(const Node &input, const double unit_length, const double scale)
     {
       if (input.text("type") == "synthetic")
-        return {std::make_shared<GaitLength>(scale * unit_length, input.number("base"), input.number("amplitude"), input.number("frequency")),
-                std::make_shared<GaitExcitation>(input.number("frequency"))};
-      const std::string time   = input.text("time column");
-      const Samples     length = read_samples(input.file("file"), time, {input.text("length column")});
-      const Samples     excitation =
-          read_samples(input.has("excitation file") ? input.file("excitation file") : input.file("file"), time, {input.text("excitation column")});
+        return {
+            std::make_shared<GaitLength>(scale * unit_length, input.number("base"), input.number("amplitude"), input.number("frequency")),
+            std::make_shared<GaitExcitation>(input.number("frequency"))};
+      const std::string time       = input.text("time column");
+      const Samples     length     = read_samples(input.file("file"), time, {input.text("length column")});
+      const Samples     excitation = read_samples(input.has("excitation file") ? input.file("excitation file") : input.file("file"), time,
+                                              {input.text("excitation column")});
       for (const double x : length.x.front())
         if (!(x > 0))
           input.refuse("length column", "there is a length of " + std::to_string(x) + " m", "lengths > 0 [m]");
@@ -126,8 +127,9 @@ namespace myolines
           .section("data", data_schema())
           .number("scale", 1, "-", Range::positive(), "s: lengths grow by s, forces by s^2, masses by s^3, thesis 2.2.6.")
           .section("input", input_schema())
-          .choice("activation", "beforehand", {"beforehand", "unknown"},
-                  "Zajac's equation (2.2.5) is integrated beforehand, or solved with the motion, as an unknown of first order of each element.")
+          .choice(
+              "activation", "beforehand", {"beforehand", "unknown"},
+              "Zajac's equation (2.2.5) is integrated beforehand, or solved with the motion, as an unknown of first order of each element.")
           .choice("initial balance", "active", {"active", "passive"},
                   "At the start muscle and tendon balance with the activation of that moment, or without any as in the thesis (errata 3).")
           .number("damping", 0, "-", Range::not_negative(), "eta: the force eta F_0 e beside the muscle's, e the strain rate over e_0.");
@@ -156,8 +158,8 @@ namespace myolines
       if (system.text("activation") == "beforehand")
         p.activation = std::make_shared<ZajacActivation>(data.zajac, input.excitation);
 
-      const double L = input.length->value(0, Side::right);
-      const double a = system.text("initial balance") == "active" ? data.zajac.steady(input.excitation->value(0, Side::right)) : 0;
+      const double L    = input.length->value(0, Side::right);
+      const double a    = system.text("initial balance") == "active" ? data.zajac.steady(input.excitation->value(0, Side::right)) : 0;
       p.initial_stretch = balanced_length(optimal, L, a, L * data.length_ratio) / optimal.muscle;
       return p;
     }
@@ -165,7 +167,8 @@ namespace myolines
 
   scene::Schema muscle_tendon_unit_schema()
   {
-    Schema schema = with_common("Muscle of N equal masses between Hill springs, with a tendon, the length of both given; thesis chapter 2.");
+    Schema schema =
+        with_common("Muscle of N equal masses between Hill springs, with a tendon, the length of both given; thesis chapter 2.");
     schema.integer("masses", 16, Range::closed(0, 10000000), "N; 0: the massless muscle-tendon unit (2.2.6).");
     return schema;
   }

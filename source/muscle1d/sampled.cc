@@ -2,6 +2,7 @@
 #include <myolines/muscle1d/sampled.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,7 +37,7 @@ namespace myolines
     const unsigned int                 inner = n - 2;
     std::vector<std::array<double, 3>> q(inner);
     for (unsigned int i = 0; i < inner; ++i)
-      q[i] = {1 / h[i], -1 / h[i] - 1 / h[i + 1], 1 / h[i + 1]};
+      q[i] = {{1 / h[i], -1 / h[i] - 1 / h[i + 1], 1 / h[i + 1]}};
 
     const unsigned int  width = std::min(2u, inner - 1);
     BandMatrix          matrix(inner, width);

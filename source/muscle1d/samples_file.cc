@@ -44,7 +44,8 @@ namespace myolines
     std::ifstream stream(file);
     std::string   line;
     if (!stream || !std::getline(stream, line))
-      throw InputError(InputProblem{file.string(), "cannot be read, or is empty", "comma-separated values with names in the first line", ""});
+      throw InputError(
+          InputProblem{file.string(), "cannot be read, or is empty", "comma-separated values with names in the first line", ""});
     const std::vector<std::string> header = fields(line);
     std::vector<std::size_t>       wanted{column(header, time_column, file.string())};
     for (const std::string &name : columns)

@@ -75,16 +75,14 @@ namespace myolines
 
   scene::Schema muscle_tendon_output_schema()
   {
-    scene::Schema series("At equal intervals, interpolated within steps: muscle_tendon.csv, excitation, activation, stretch and strain rate of the "
-                         "muscle, strain of the tendon and its force over F_0.");
+    scene::Schema series(
+        "At equal intervals, interpolated within steps: muscle_tendon.csv, excitation, activation, stretch and strain rate of the "
+        "muscle, strain of the tendon and its force over F_0.");
     series.number("interval", 0.02, "s", scene::Range::positive(), "Rows are at its multiples, whatever the steps are.");
     return scene::Schema("What to write.").section("series", series).optional_section("stretches", stretches_schema(std::nullopt));
   }
 
-  scene::Schema isometric_chain_output_schema()
-  {
-    return scene::Schema("What to write.").section("stretches", stretches_schema(0.25));
-  }
+  scene::Schema isometric_chain_output_schema() { return scene::Schema("What to write.").section("stretches", stretches_schema(0.25)); }
 
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle1dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &)

@@ -15,10 +15,7 @@ namespace myolines
     double ratio         = 0.6;   ///< beta in (0, 1]: tau over the time constant of deactivation
 
     /// a' [1/s]
-    double rate(double excitation, double activation) const
-    {
-      return (excitation - decay(excitation) * activation) / time_constant;
-    }
+    double rate(double excitation, double activation) const { return (excitation - decay(excitation) * activation) / time_constant; }
     double decay(double excitation) const { return ratio + (1 - ratio) * excitation; }
 
     /// The activation that a constant excitation holds.

@@ -30,8 +30,8 @@ namespace myolines
   /// with the stretch l, the strain rate e = l'/e_0 and the activation a. eta is zero in the thesis.
   struct HillForce
   {
-    double       maximum_strain_rate = 5; ///< e_0 [1/s]
-    double       damping             = 0; ///< eta [-]
+    double       maximum_strain_rate = 5;    ///< e_0 [1/s]
+    double       damping             = 0;    ///< eta [-]
     bool         force_velocity      = true; ///< false: F_V = 1, for what is said of muscles without it
     BaseMaterial base;
 

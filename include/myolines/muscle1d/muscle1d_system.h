@@ -15,9 +15,9 @@ namespace myolines
   /// How the mass of a muscle is spread over its nodes.
   enum class MassOf
   {
-    none,      ///< a massless spring
-    points,    ///< equal masses on all free nodes, thesis (2.2.7), (3.2.1)
-    continuum  ///< the consistent mass of the density, thesis (3.3.6)
+    none,     ///< a massless spring
+    points,   ///< equal masses on all free nodes, thesis (2.2.7), (3.2.1)
+    continuum ///< the consistent mass of the density, thesis (3.3.6)
   };
 
   /// A tendon in series with the muscle; together they have a given length.
@@ -43,7 +43,7 @@ namespace myolines
     Zajac                        zajac;
     std::optional<Tendon>        tendon; ///< none: the end of the muscle is fixed
 
-    std::vector<double> initial_displacement; ///< of the free nodes [m]; empty: none
+    std::vector<double> initial_displacement;                                ///< of the free nodes [m]; empty: none
     double              input_end = std::numeric_limits<double>::infinity(); ///< the input is known until then [s]
   };
 
@@ -87,13 +87,13 @@ namespace myolines
     // What a state says; the arguments are the u, or u and v, of the state.
 
     double              activation(double t, const Vector &u) const;
-    double              muscle_stretch(const Vector &u) const;      ///< of the whole muscle, x(l_M)/l_M
-    double              muscle_strain_rate(const Vector &v) const;  ///< over e_0
-    std::vector<double> element_stretches(const Vector &u) const;   ///< mean ones
+    double              muscle_stretch(const Vector &u) const;           ///< of the whole muscle, x(l_M)/l_M
+    double              muscle_strain_rate(const Vector &v) const;       ///< over e_0
+    std::vector<double> element_stretches(const Vector &u) const;        ///< mean ones
     double              tendon_stretch(double t, const Vector &u) const; ///< with a tendon only
 
-    /// Force over F_0 at the first Gauss point, at the fixed end.
-    double fixed_end_force(double t, const Vector &u, const Vector &v) const;
+    /// Force over F_0 of every element, at its first Gauss point.
+    std::vector<double> element_forces(double t, const Vector &u, const Vector &v) const;
 
   private:
     struct Element;
@@ -105,12 +105,16 @@ namespace myolines
     unsigned int of_activation(unsigned int element) const { return element * (parameters_.degree + 1); }
     double       end_displacement(const Vector &u) const { return parameters_.tendon ? u.local_element(of_node(n_nodes() - 1)) : 0; }
     double       element_activation(unsigned int element, double t, const Vector &u) const;
-    void         gather(unsigned int element, const Vector &x, std::vector<double> &values) const;
+    hill::Curve  tendon(double t, Side side, double end_displacement) const; ///< over F_0, by its stretch
+
+    /// Values of all nodes, the fixed ones too.
+    void scatter(const Vector &x, std::vector<double> &nodes) const;
+    void add_inertia(const Vector &acceleration, std::vector<double> &a, std::vector<double> &force) const;
 
     Muscle1dParameters             parameters_;
     WorkLedger                    &ledger_;
-    std::unique_ptr<const Element> element_; ///< all elements are alike
-    double                         point_mass_; ///< of a free node [kg]; of MassOf::points
+    std::unique_ptr<const Element> element_;     ///< all elements are alike
+    double                         point_mass_;  ///< of a free node [kg]; of MassOf::points
     Constraints                    constraints_; ///< none
     Vector                         layout_;
   };

@@ -13,10 +13,10 @@ namespace myolines
     double maximum_stress      = 225e3; ///< sigma_0 [Pa]
     double maximum_strain_rate = 5;     ///< e_0 [1/s]
     Zajac  zajac;
-    double volume_fraction; ///< chi_M, of one lower leg
-    double length_ratio;    ///< r_M, of muscle to muscle and tendon
-    double unit_length;     ///< optimal length of muscle and tendon [m]
-    double density = 1060;  ///< [kg/m^3]
+    double volume_fraction;    ///< chi_M, of one lower leg
+    double length_ratio;       ///< r_M, of muscle to muscle and tendon
+    double unit_length;        ///< optimal length of muscle and tendon [m]
+    double density     = 1060; ///< [kg/m^3]
     double body_mass   = 68;   ///< W [kg]
     double body_height = 1.67; ///< H [m]
 
@@ -43,7 +43,8 @@ namespace myolines
   /// is the passive balance of the thesis, which is not at rest where the muscle is active. @throws SolveError if there is none.
   double balanced_length(const OptimalLengths &optimal, double unit_length, double activation, double estimate);
 
-  /// rho_0 l^2 e_0^2/sigma_0 with the muscle's length l, thesis (3.4.5): inertia over what force-velocity takes (errata 14 corrects Table 3.1).
+  /// rho_0 l^2 e_0^2/sigma_0 with the muscle's length l, thesis (3.4.5): inertia over what force-velocity takes (errata 14 corrects
+  /// Table 3.1).
   double musculoskeletal_reynolds_number(double density, double length, double maximum_strain_rate, double maximum_stress);
 
   /// A muscle of N masses with a tendon, N = 0: without mass; thesis chapter 2.
