@@ -37,8 +37,11 @@ TEST_P(Units, followTheReference)
       }
   ASSERT_GE(times.size(), 10u);
 
+  // Without mass the rate has the small jumps of the printed curves, which no step resolves.
+  const bool masses = c.masses != std::string("0");
+
   MuscleRun run(read_muscle_tendon_unit(node(muscle_tendon_unit_schema(), unit_settings(c.input, c.scale, c.masses))), c.method,
-                tolerances(1e-8, 1e-10, true));
+                tolerances(1e-8, 1e-10, masses));
   auto      row = expected.begin();
   run.go(times, [&](const State &s) {
     const double              tendon    = run.system.tendon_stretch(s.t, s.u);
@@ -58,15 +61,15 @@ TEST_P(Units, followTheReference)
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(all, Units,
-                         ::testing::Values(Case{"mild", "1", "0", "sdirk3", 3}, Case{"strong", "1", "0", "sdirk3", 3},
-                                           Case{"mild", "1", "16", "ida", 3}, Case{"strong", "1", "16", "ida", 3},
-                                           Case{"mild", "10", "16", "ida", 3}, Case{"strong", "10", "16", "ida", 3},
-                                           Case{"mild", "1", "64", "ida", 1}, Case{"strong", "1", "64", "ida", 1},
-                                           Case{"mild", "10", "64", "ida", 1}, Case{"strong", "10", "64", "ida", 1}),
-                         [](const auto &info) {
-                           return std::string(info.param.input) + "_scale_" + info.param.scale + "_masses_" + info.param.masses;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    all, Units,
+    ::testing::Values(Case{"mild", "1", "0", "sdirk3", 3}, Case{"strong", "1", "0", "sdirk3", 3}, Case{"mild", "1", "0", "ida", 3},
+                      Case{"strong", "1", "0", "ida", 3}, Case{"mild", "1", "16", "ida", 3}, Case{"strong", "1", "16", "ida", 3},
+                      Case{"mild", "10", "16", "ida", 3}, Case{"strong", "10", "16", "ida", 3}, Case{"mild", "1", "64", "ida", 1},
+                      Case{"strong", "1", "64", "ida", 1}, Case{"mild", "10", "64", "ida", 1}, Case{"strong", "10", "64", "ida", 1}),
+    [](const auto &info) {
+      return std::string(info.param.input) + "_scale_" + info.param.scale + "_masses_" + info.param.masses + "_" + info.param.method;
+    });
 
 namespace
 {
@@ -147,6 +150,22 @@ TEST(Massless, goesOnWhereTheActivationVanishes)
         EXPECT_NEAR(hill::passive(run.system.muscle_stretch(s.u)).value, hill::tendon(run.system.tendon_stretch(s.t, s.u)).value, 1e-6);
       }
   });
+}
+
+// From the passive balance an active muscle shortens at once: both kinds of methods find the rate with which it begins.
+TEST(Massless, startsWithTheRateThatBalances)
+{
+  for (const std::string method : {"ida", "sdirk3"})
+    {
+      Overrides settings = unit_settings("mild", "1", "0");
+      settings.push_back("initial balance=passive");
+      MuscleRun run(read_muscle_tendon_unit(node(muscle_tendon_unit_schema(), settings)), method, tolerances(1e-7, 1e-10, false));
+      EXPECT_NEAR(run.system.muscle_stretch(run.state.u) * run.system.parameters().optimal_length, 0.280376953310, 2e-12);
+      run.go({1e-4, 0.5}, [&](const State &s) {
+        EXPECT_LT(s.t < 0.1 ? run.system.muscle_strain_rate(s.v) : -1, -0.005);
+        EXPECT_NEAR(run.system.element_forces(s.t, s.u, s.v).front(), hill::tendon(run.system.tendon_stretch(s.t, s.u)).value, 2e-6);
+      });
+    }
 }
 
 // Methods that need accelerations say so.
