@@ -11,12 +11,13 @@ namespace myolines
     MethodFacts facts()
     {
       MethodFacts facts;
-      facts.name = "ida";
-      facts.summary =
-          "IDA of SUNDIALS: implicit equations by BDF of variable order and step, with fixed leading coefficient; never inverts the mass.";
-      facts.reference         = "Hindmarsh et al., doi:10.1145/1089014.1089020; Brenan, Campbell and Petzold, doi:10.1137/1.9781611971224";
-      facts.order             = 5;
-      facts.stability         = "A-stable up to order 2, stiffly stable up to 5";
+      facts.name      = "ida";
+      facts.summary   = "IDA of SUNDIALS: implicit equations by BDF of variable order and step, with fixed leading coefficient; never "
+                        "inverts the mass, and takes "
+                        "systems of first order without inertia, too.";
+      facts.reference = "Hindmarsh et al., doi:10.1145/1089014.1089020; Brenan, Campbell and Petzold, doi:10.1137/1.9781611971224";
+      facts.order     = 5;
+      facts.stability = "A-stable up to order 2, stiffly stable up to 5";
       facts.second_order_only = true;
       facts.restart           = MethodFacts::Restart::reinitialise;
       return facts;
@@ -149,7 +150,11 @@ namespace myolines
     entry.schema = scene::Schema(entry.facts.summary);
     entry.schema.integer("maximum order", 5, scene::Range::closed(1, 5), "Of the formulas.");
     entry.make_self_paced = [](const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits) {
-      require_first_order_form(facts(), node, context);
+      MethodFacts        demands = facts();
+      const Capabilities has     = context.system.capabilities();
+      if (!has.inertia && has.orders == std::vector<unsigned int>{1}) // u' - v = 0, F(t, u, v) = 0
+        demands.second_order_only = false;
+      require_first_order_form(demands, node, context);
       return std::make_unique<Ida>(node.integer("maximum order"), context, limits);
     };
     return entry;

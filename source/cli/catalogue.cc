@@ -1,6 +1,8 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/cli/catalogue.h>
+#include <myolines/muscle1d/isometric_chain.h>
+#include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
@@ -60,6 +62,48 @@ namespace myolines
       return assemble(std::make_unique<Rod1dSystem>(read_rod1d(node), ledger), ledger);
     }
 
+    AssembledSystem make_muscle1d(Muscle1dParameters parameters, WorkLedger &ledger)
+    {
+      auto            system    = std::make_unique<Muscle1dSystem>(std::move(parameters), ledger);
+      auto            plan      = system->plan();
+      AssembledSystem assembled = assemble(std::move(system), ledger);
+      assembled.plan            = std::move(plan);
+      return assembled;
+    }
+
+    AssembledSystem make_muscle_tendon_unit(const Node &node, WorkLedger &ledger)
+    {
+      return make_muscle1d(read_muscle_tendon_unit(node), ledger);
+    }
+
+    AssembledSystem make_continuum_muscle(const Node &node, WorkLedger &ledger)
+    {
+      return make_muscle1d(read_continuum_muscle(node), ledger);
+    }
+
+    AssembledSystem make_isometric_chain(const Node &node, WorkLedger &ledger) { return make_muscle1d(read_isometric_chain(node), ledger); }
+
+    /// Some twenty vectors of a run, four bands and the matrix that is solved with.
+    SizeEstimate muscle1d_size(const double n_elements, const double degree, const double activations)
+    {
+      const double n = n_elements * (degree + activations), width = degree + activations;
+      return {n, n * sizeof(double) * (20 + 3 * (2 * width + 1) + 3 * width + 1), 0, 0, true};
+    }
+
+    double activations(const Node &node) { return node.text("activation") == "unknown" ? 1 : 0; }
+
+    SizeEstimate muscle_tendon_unit_size(const Node &node, unsigned int)
+    {
+      return muscle1d_size(std::max(node.integer("masses"), 1), 1, activations(node));
+    }
+
+    SizeEstimate continuum_muscle_size(const Node &node, unsigned int)
+    {
+      return muscle1d_size(node.integer("elements"), node.integer("degree"), activations(node));
+    }
+
+    SizeEstimate isometric_chain_size(const Node &node, unsigned int) { return muscle1d_size(node.integer("elements"), 1, 0); }
+
     /// Some twenty vectors of a run and two band matrices.
     SizeEstimate rod1d_size(const Node &node, unsigned int)
     {
@@ -92,6 +136,9 @@ namespace myolines
                                                   {"system/profile/duration", "2"},
                                                   {"time/end", "2"},
                                                   {"time/step", "0.001"}};
+      const std::vector<scene::Setting> walking{
+          {"title", "A muscle with its tendon in a synthetic gait"}, {"time/end", "2"}, {"time/step", "1e-3"}};
+      const std::vector<scene::Setting> relaxing{{"title", "An active muscle at fixed length"}, {"time/end", "10"}, {"time/step", "1e-3"}};
       return {{"muscle 3d",
                muscle3d_schema(),
                muscle3d_output_schema(),
@@ -99,6 +146,27 @@ namespace myolines
                {{"system/inertia", "quasi-static"}},
                make_muscle3d,
                muscle3d_size},
+              {"muscle-tendon unit",
+               muscle_tendon_unit_schema(),
+               muscle_tendon_output_schema(),
+               walking,
+               {},
+               make_muscle_tendon_unit,
+               muscle_tendon_unit_size},
+              {"continuum muscle",
+               continuum_muscle_schema(),
+               muscle_tendon_output_schema(),
+               walking,
+               {},
+               make_continuum_muscle,
+               continuum_muscle_size},
+              {"isometric chain",
+               isometric_chain_schema(),
+               isometric_chain_output_schema(),
+               relaxing,
+               {},
+               make_isometric_chain,
+               isometric_chain_size},
               {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {}, make_rod1d, rod1d_size},
               {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator, oscillator_size}};
     }

@@ -15,8 +15,9 @@ namespace myolines
     {
       const std::string peer    = "-3d.csv";
       const bool        of_peer = name.size() > peer.size() && name.compare(name.size() - peer.size(), peer.size(), peer) == 0;
-      for (const char *ours : {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "trace.csv", "motion.csv",
-                               "nodal_states.csv", "steps.csv", "ledger.json", "checkpoint", "checkpoint.new"})
+      for (const char *ours :
+           {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "trace.csv", "motion.csv", "nodal_states.csv",
+            "muscle_tendon.csv", "stretches.csv", "steps.csv", "ledger.json", "checkpoint", "checkpoint.new"})
         if (name == ours)
           return true;
       return of_peer || (name.rfind("force_data-3d-", 0) == 0 && name.find(".csv") != std::string::npos);
@@ -88,7 +89,7 @@ namespace myolines
     void say_where_to_look(const std::filesystem::path &folder, std::ostream &out)
     {
       out << "Results are in " << folder.string() << ":\n";
-      for (const char *series : {"reaction.csv", "trajectory.csv"})
+      for (const char *series : {"reaction.csv", "trajectory.csv", "muscle_tendon.csv", "stretches.csv"})
         if (std::filesystem::exists(folder / series))
           out << "  *.csv        time series, units in the header, for example\n"
               << "               gnuplot -p -e \"set datafile separator ','; set key autotitle columnhead; plot '"

@@ -1,3 +1,4 @@
+#include <myolines/base/error.h>
 #include <myolines/solve/free_unknowns.h>
 #include <myolines/system/band_linearisation.h>
 #include <myolines/time/first_order_form.h>
@@ -6,6 +7,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace myolines
 {
@@ -65,8 +68,50 @@ namespace myolines
   void FirstOrderForm::start_piece(State &state)
   {
     myolines::start_piece(context_, solver_, state);
-    consistent_acceleration(context_, solver_, Side::right, state);
     begin_piece(state.t);
+    if (context_.system.capabilities().inertia)
+      consistent_acceleration(context_, solver_, Side::right, state);
+    else
+      consistent_rates(state);
+  }
+
+  /// Newton's method with halved steps where they do not help.
+  void FirstOrderForm::consistent_rates(State &state)
+  {
+    const std::size_t   n = n_free();
+    std::vector<double> y(2 * n), trial(2 * n), r(n), d(n);
+    gather(state, y.data());
+    const auto size = [&](const std::vector<double> &at) {
+      if (!residual(state.t, at.data(), nullptr, r.data()))
+        throw SolveError("The initial rates cannot be computed: " + take_reason() + ".");
+      return std::sqrt(dealii::Utilities::MPI::sum(std::inner_product(r.begin(), r.end(), r.begin(), 0.), communicator()));
+    };
+    const double begin = size(y);
+    double       now   = begin;
+    for (unsigned int iteration = 0; now > 1e-12 * begin && iteration < 100; ++iteration)
+      {
+        linearise(state.t, y.data(), nullptr);
+        if (!solve({0, 1, 0}, r.data(), d.data()))
+          break;
+        double part = 1, next = now;
+        for (; part > 1e-6; part /= 2)
+          {
+            trial = y;
+            for (std::size_t i = 0; i < n; ++i)
+              trial[n + i] -= part * d[i];
+            next = size(trial);
+            if (next < now)
+              break;
+          }
+        if (!(next < now)) // rounding
+          break;
+        y   = trial;
+        now = next;
+      }
+    if (!std::isfinite(now) || (now > 1e-6 * begin && now > 1e-6))
+      throw SolveError("The initial rates cannot be computed: nothing balances the system at its start.");
+    scatter(y.data() + n, state.v);
+    context_.system.prescribed(state.t, Side::right, state);
   }
 
   void FirstOrderForm::gather(const State &state, double *y, double *a) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/muscle1d/muscle1d_system.h>
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/output_folder.h>
@@ -18,6 +19,8 @@ namespace myolines
   scene::Schema muscle3d_output_schema();
   scene::Schema oscillator_output_schema();
   scene::Schema rod1d_output_schema();
+  scene::Schema muscle_tendon_output_schema();
+  scene::Schema isometric_chain_output_schema();
 
   /// The observers a scene asks for; they write into @p folder, which exists and is writable. Made on all ranks alike.
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle3dSystem &system, const OutputFolder &folder,
@@ -25,6 +28,8 @@ namespace myolines
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const OscillatorSystem &system, const OutputFolder &folder,
                                                       WorkLedger &ledger);
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Rod1dSystem &system, const OutputFolder &folder,
+                                                      WorkLedger &ledger);
+  std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle1dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &ledger);
 
   /// Status line per step on a terminal, one line per step in run.log, always run.log; on rank 0.

@@ -16,20 +16,24 @@ namespace myolines
   ///
   ///     u' = v,    M v' = -F.
   ///
+  /// A system of first order, F(t, u, v) = 0, is served by the same equations with M = 0: v is then algebraic.
+  ///
   /// Constrained unknowns are known functions of time and of the free ones: they have no equation, no error and no error weight.
   /// They move with exact rates. All arrays are of this rank: those called y first the free displacements, then the free velocities,
   /// others one entry for each free unknown.
   class FirstOrderForm
   {
   public:
-    /// A system of @p context that has inertia, and unknowns of second order only; @p layout is any state of it.
+    /// A system of @p context that has inertia, and unknowns of second order only, or no inertia and unknowns of first order only;
+    /// @p layout is any state of it.
     FirstOrderForm(const IntegratorContext &context, const State &layout);
     ~FirstOrderForm();
 
     /// A smooth piece begins at @p t: drives take their right limits then, later their left ones.
     void begin_piece(double t) { piece_begin_ = t; }
 
-    /// A smooth piece begins at @p state, which gets its boundary velocities and consistent accelerations (start.h).
+    /// A smooth piece begins at @p state, which gets its boundary velocities and consistent accelerations (start.h), or without inertia
+    /// consistent velocities of the free unknowns. @throws SolveError if there are none.
     void start_piece(State &state);
     bool begins_piece(double t) const { return piece_begin_ == t; }
 
@@ -76,6 +80,7 @@ namespace myolines
   private:
     class Mass;
 
+    void consistent_rates(State &state);
     Side side(double t) const { return begins_piece(t) ? Side::right : Side::left; }
     void scatter(const double *values, Vector &x) const;
     void gather(const Vector &x, double *values) const;

@@ -1,0 +1,100 @@
+#include <myolines/muscle1d/activation.h>
+
+#include <algorithm>
+
+namespace myolines
+{
+  struct ZajacActivation::Table
+  {
+    struct Row
+    {
+      double t, a, rate_left, rate_right; ///< the excitation may jump
+    };
+
+    static constexpr double step  = 4e-4; ///< [s]
+    static constexpr double chunk = 0.25; ///< [s]
+
+    Table(const Zajac &zajac_, const Drive &excitation_)
+      : zajac(zajac_)
+      , excitation(excitation_)
+    {
+      rows.push_back({0, zajac.steady(excitation.value(0, Side::right)), 0, 0});
+    }
+
+    double rate(const double t, const Side side, const double a) const { return zajac.rate(excitation.value(t, side), a); }
+
+    void go_to(const double t)
+    {
+      const Row    last = rows.back();
+      const double h = t - last.t, middle = last.t + h / 2;
+      const double k1 = rate(last.t, Side::right, last.a), k2 = rate(middle, Side::left, last.a + h / 2 * k1),
+                   k3 = rate(middle, Side::left, last.a + h / 2 * k2), k4 = rate(t, Side::left, last.a + h * k3);
+      const double a = last.a + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      rows.push_back({t, a, rate(t, Side::left, a), rate(t, Side::right, a)});
+    }
+
+    /// In chunks that do not depend on what is asked for.
+    void reach(const double t)
+    {
+      while (rows.back().t < t)
+        {
+          const double        begin = chunks * chunk, end = ++chunks * chunk;
+          std::vector<double> instants;
+          for (unsigned int i = 1; begin + i * step < end - step / 2; ++i)
+            instants.push_back(begin + i * step);
+          for (const double kink : excitation.kinks(begin, end))
+            instants.push_back(kink);
+          instants.push_back(end);
+          std::sort(instants.begin(), instants.end());
+          for (const double instant : instants)
+            if (instant > rows.back().t)
+              go_to(instant);
+        }
+    }
+
+    /// The two rows around @p t > 0.
+    std::pair<const Row &, const Row &> around(const double t)
+    {
+      reach(t);
+      const auto next = std::lower_bound(rows.begin(), rows.end(), t, [](const Row &row, double x) { return row.t < x; });
+      return {*(next - 1), *next};
+    }
+
+    const Zajac      zajac;
+    const Drive     &excitation;
+    std::vector<Row> rows;
+    unsigned int     chunks = 0;
+  };
+
+  ZajacActivation::ZajacActivation(const Zajac &zajac, std::shared_ptr<const Drive> excitation)
+    : zajac_(zajac)
+    , excitation_(std::move(excitation))
+    , table_(std::make_unique<Table>(zajac_, *excitation_))
+  {}
+
+  ZajacActivation::~ZajacActivation() = default;
+
+  double ZajacActivation::value(const double t, Side) const
+  {
+    if (t <= 0)
+      return table_->rows.front().a;
+    const auto [begin, end] = table_->around(t);
+    const double h = end.t - begin.t, s = (t - begin.t) / h;
+    return (1 + 2 * s) * (1 - s) * (1 - s) * begin.a + s * s * (3 - 2 * s) * end.a +
+           s * (1 - s) * h * ((1 - s) * begin.rate_right - s * end.rate_left);
+  }
+
+  double ZajacActivation::first_derivative(const double t, const Side side) const
+  {
+    return t < 0 || (t == 0 && side == Side::left) ? 0 : zajac_.rate(excitation_->value(t, side), value(t, side));
+  }
+
+  /// From the equation, differentiated.
+  double ZajacActivation::second_derivative(const double t, const Side side) const
+  {
+    if (t < 0 || (t == 0 && side == Side::left))
+      return 0;
+    const double u = excitation_->value(t, side), du = excitation_->first_derivative(t, side), a = value(t, side);
+    return ((1 - (1 - zajac_.ratio) * a) * du - zajac_.decay(u) * zajac_.rate(u, a)) / zajac_.time_constant;
+  }
+} // namespace myolines

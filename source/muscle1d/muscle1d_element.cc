@@ -1,0 +1,30 @@
+#include "muscle1d_element.h"
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+
+namespace myolines
+{
+  Muscle1dSystem::Element::Element(const unsigned int degree, const double length, const unsigned int n_points, const double density)
+    : n(degree + 1)
+    , h(length)
+  {
+    const auto              shapes = dealii::Polynomials::generate_complete_Lagrange_basis(dealii::QGaussLobatto<1>(n).get_points());
+    const dealii::QGauss<1> gauss(n_points);
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        GaussPoint point{h * gauss.weight(q), {}};
+        for (const auto &shape : shapes)
+          point.slope.push_back(shape.derivative().value(gauss.point(q)[0]) / h);
+        points.push_back(point);
+      }
+    if (density == 0)
+      return;
+    mass.assign(n, std::vector<double>(n, 0.));
+    const dealii::QGauss<1> exact(n);
+    for (unsigned int q = 0; q < n; ++q)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          mass[i][j] += density * h * exact.weight(q) * shapes[i].value(exact.point(q)[0]) * shapes[j].value(exact.point(q)[0]);
+  }
+} // namespace myolines

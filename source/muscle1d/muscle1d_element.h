@@ -1,0 +1,32 @@
+#pragma once
+
+#include <myolines/muscle1d/muscle1d_system.h>
+
+namespace myolines
+{
+  /// Lagrange polynomials on the Gauss-Lobatto nodes of an element of length h, and their integrals.
+  struct Muscle1dSystem::Element
+  {
+    struct GaussPoint
+    {
+      double              weight; ///< [m]
+      std::vector<double> slope;  ///< of the polynomials [1/m]
+    };
+
+    /// @p n_points Gauss points; @p density [kg/m], 0: no mass.
+    Element(unsigned int degree, double h, unsigned int n_points, double density);
+
+    static double sum(const GaussPoint &q, const double *values)
+    {
+      double result = 0;
+      for (std::size_t i = 0; i < q.slope.size(); ++i)
+        result += q.slope[i] * values[i];
+      return result;
+    }
+
+    unsigned int                     n; ///< nodes
+    double                           h; ///< [m]
+    std::vector<GaussPoint>          points;
+    std::vector<std::vector<double>> mass; ///< [kg]; empty: none
+  };
+} // namespace myolines

@@ -1,0 +1,228 @@
+#include "muscle1d_element.h"
+#include "muscle1d_linearisation.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace myolines
+{
+  namespace
+  {
+    unsigned int n_free_nodes(const Muscle1dParameters &p) { return p.n_elements * p.degree - (p.tendon ? 0 : 1); }
+
+    unsigned int n_unknowns_of(const Muscle1dParameters &p) { return n_free_nodes(p) + (p.activation == nullptr ? p.n_elements : 0); }
+  } // namespace
+
+  Muscle1dSystem::Muscle1dSystem(Muscle1dParameters parameters, WorkLedger &ledger)
+    : parameters_(std::move(parameters))
+    , ledger_(ledger)
+    , element_(std::make_unique<Element>(parameters_.degree, parameters_.optimal_length / parameters_.n_elements,
+                                         parameters_.mass_of == MassOf::continuum ? parameters_.degree + 1 : parameters_.degree,
+                                         parameters_.mass_of == MassOf::continuum ? parameters_.mass / parameters_.optimal_length : 0))
+    , point_mass_(parameters_.mass_of == MassOf::points ? parameters_.mass / n_free_nodes(parameters_) : 0)
+    , layout_(dealii::complete_index_set(n_unknowns_of(parameters_)), MPI_COMM_SELF)
+  {
+    if (!parameters_.initial_displacement.empty() && parameters_.initial_displacement.size() != n_free_nodes(parameters_))
+      throw std::logic_error("there must be one initial displacement for each free node");
+    constraints_.close();
+    layout_.update_ghost_values();
+  }
+
+  Muscle1dSystem::~Muscle1dSystem() = default;
+
+  Capabilities Muscle1dSystem::capabilities() const
+  {
+    const bool   massless = parameters_.mass_of == MassOf::none;
+    Capabilities capabilities;
+    capabilities.inertia           = !massless;
+    capabilities.symmetric_tangent = !solves_activation();
+    if (massless)
+      capabilities.orders = {1};
+    else if (solves_activation())
+      capabilities.orders = {1, 2};
+    return capabilities;
+  }
+
+  unsigned int Muscle1dSystem::of_node(const unsigned int node) const
+  {
+    return solves_activation() ? node + (node - 1) / parameters_.degree : node - 1;
+  }
+
+  State Muscle1dSystem::initial_state(const double t0) const
+  {
+    State state{t0, layout_, layout_, layout_};
+    for (unsigned int i = 0; i < parameters_.initial_displacement.size(); ++i)
+      state.u.local_element(of_node(i + 1)) = parameters_.initial_displacement[i];
+    if (solves_activation())
+      for (unsigned int e = 0; e < parameters_.n_elements; ++e)
+        state.u.local_element(of_activation(e)) =
+            parameters_.optimal_length * parameters_.zajac.steady(parameters_.excitation->value(t0, Side::right));
+    return state;
+  }
+
+  double Muscle1dSystem::element_activation(const unsigned int element, const double t, const Vector &u) const
+  {
+    return solves_activation() ? u.local_element(of_activation(element)) / parameters_.optimal_length : parameters_.activation->value(t);
+  }
+
+  void Muscle1dSystem::scatter(const Vector &x, std::vector<double> &nodes) const
+  {
+    nodes.assign(n_nodes(), 0.);
+    const double *from = x.begin();
+    for (unsigned int node = 1; node <= n_free_nodes(parameters_); ++node)
+      {
+        if (solves_activation() && (node - 1) % parameters_.degree == 0)
+          ++from;
+        nodes[node] = *from++;
+      }
+  }
+
+  Evaluation Muscle1dSystem::residual(const Point &point, Vector &r) const
+  {
+    const WorkLedger::Timer timer(ledger_, "residual");
+    ledger_.count("residual evaluations");
+    const Muscle1dParameters &p       = parameters_;
+    const auto                refused = [&](const std::string &reason) {
+      r = std::numeric_limits<double>::quiet_NaN();
+      return Evaluation{false, reason};
+    };
+    if (point.t > p.input_end * (1 + 1e-12))
+      return refused("the samples of the input end at " + std::to_string(p.input_end) + " s");
+
+    std::vector<double> u, v, a, force(n_nodes(), 0.);
+    scatter(point.u, u);
+    scatter(point.v, v);
+    const double given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
+    for (unsigned int e = 0, begin = 0; e < p.n_elements; ++e, begin += p.degree)
+      {
+        const double activation = solves_activation() ? element_activation(e, point.t, point.u) : given;
+        for (const Element::GaussPoint &q : element_->points)
+          {
+            const double stretch = p.initial_stretch + Element::sum(q, &u[begin]);
+            if (!(stretch > 0) || !std::isfinite(stretch))
+              return refused("the stretch of the muscle is not positive somewhere");
+            const double f = q.weight * p.force(stretch, Element::sum(q, &v[begin]), activation).force;
+            for (unsigned int i = 0; i < element_->n; ++i)
+              force[begin + i] += f * q.slope[i];
+          }
+      }
+    for (double &f : force)
+      f *= p.maximum_force;
+    if (p.tendon)
+      force.back() -= p.maximum_force * tendon(point.t, point.side, u.back()).value;
+    add_inertia(point.a, a, force);
+    for (unsigned int node = 1; node <= n_free_nodes(p); ++node)
+      r.local_element(of_node(node)) = force[node];
+    if (solves_activation())
+      for (unsigned int e = 0; e < p.n_elements; ++e)
+        {
+          const double rate = point.v.local_element(of_activation(e)) / p.optimal_length;
+          r.local_element(of_activation(e)) =
+              p.maximum_force * p.zajac.time_constant *
+              (rate - p.zajac.rate(p.excitation->value(point.t, point.side), element_activation(e, point.t, point.u)));
+        }
+    return {};
+  }
+
+  void Muscle1dSystem::add_inertia(const Vector &acceleration, std::vector<double> &a, std::vector<double> &force) const
+  {
+    if (parameters_.mass_of == MassOf::none)
+      return;
+    scatter(acceleration, a);
+    if (parameters_.mass_of == MassOf::points)
+      for (unsigned int node = 1; node < n_nodes(); ++node)
+        force[node] += point_mass_ * a[node];
+    else
+      for (unsigned int begin = 0; begin + 1 < n_nodes(); begin += parameters_.degree)
+        for (unsigned int i = 0; i < element_->n; ++i)
+          for (unsigned int j = 0; j < element_->n; ++j)
+            force[begin + i] += element_->mass[i][j] * a[begin + j];
+  }
+
+  hill::Curve Muscle1dSystem::tendon(const double t, const Side side, const double end) const
+  {
+    const Tendon &tendon = *parameters_.tendon;
+    return hill::tendon((tendon.unit_length->value(t, side) - parameters_.initial_stretch * parameters_.optimal_length - end) /
+                        tendon.optimal_length);
+  }
+
+  std::unique_ptr<Linearisation> Muscle1dSystem::make_linearisation() const
+  {
+    std::vector<unsigned int> orders(layout_.size(), parameters_.mass_of == MassOf::none ? 1 : 2);
+    if (solves_activation())
+      for (unsigned int e = 0; e < parameters_.n_elements; ++e)
+        orders[of_activation(e)] = 1;
+    return std::make_unique<Muscle1dLinearisation>(orders, parameters_.degree + (solves_activation() ? 1 : 0), ledger_);
+  }
+
+  void Muscle1dSystem::linearise(const Point &point, Linearisation &linearisation) const
+  {
+    const WorkLedger::Timer timer(ledger_, "linearisation");
+    ledger_.count("linearisations");
+    const Muscle1dParameters &p     = parameters_;
+    auto                     &bands = dynamic_cast<Muscle1dLinearisation &>(linearisation);
+    bands.begin();
+    const double        given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
+    std::vector<double> u, v;
+    scatter(point.u, u);
+    scatter(point.v, v);
+    for (unsigned int e = 0; e < p.n_elements; ++e)
+      {
+        const double       activation = solves_activation() ? element_activation(e, point.t, point.u) : given;
+        const unsigned int own = of_activation(e), begin = e * p.degree;
+        for (const Element::GaussPoint &q : element_->points)
+          {
+            const HillForce::Value f    = p.force(p.initial_stretch + Element::sum(q, &u[begin]), Element::sum(q, &v[begin]), activation);
+            const double           unit = p.maximum_force * q.weight;
+            for (unsigned int i = 0; i < element_->n; ++i)
+              {
+                if (!is_free(begin + i))
+                  continue;
+                const unsigned int row = of_node(begin + i);
+                for (unsigned int j = 0; j < element_->n; ++j)
+                  if (is_free(begin + j))
+                    {
+                      const unsigned int column = of_node(begin + j);
+                      bands.stiffness(row, column) += unit * f.by_stretch * q.slope[i] * q.slope[j];
+                      bands.damping(row, column) += unit * f.by_rate * q.slope[i] * q.slope[j];
+                    }
+                if (solves_activation())
+                  bands.stiffness(row, own) += unit * f.by_activation * q.slope[i] / p.optimal_length;
+              }
+          }
+        for (unsigned int i = 0; i < element_->mass.size(); ++i)
+          for (unsigned int j = 0; j < element_->n; ++j)
+            if (is_free(begin + i) && is_free(begin + j))
+              bands.mass(of_node(begin + i), of_node(begin + j)) += element_->mass[i][j];
+        if (solves_activation())
+          {
+            bands.stiffness(own, own) = p.maximum_force * p.zajac.decay(p.excitation->value(point.t, point.side)) / p.optimal_length;
+            bands.damping(own, own)   = p.maximum_force * p.zajac.time_constant / p.optimal_length;
+          }
+      }
+    if (point_mass_ > 0)
+      for (unsigned int node = 1; node < n_nodes(); ++node)
+        if (is_free(node))
+          bands.mass(of_node(node), of_node(node)) = point_mass_;
+    if (p.tendon)
+      {
+        const unsigned int end = of_node(n_nodes() - 1);
+        bands.stiffness(end, end) += p.maximum_force / p.tendon->optimal_length * tendon(point.t, point.side, u.back()).slope;
+      }
+  }
+
+  std::vector<double> Muscle1dSystem::events(const double t0, const double t1) const
+  {
+    std::vector<double> kinks;
+    const auto          add = [&](const Drive *drive) {
+      if (drive != nullptr)
+        for (const double t : drive->kinks(t0, t1))
+          kinks.push_back(t);
+    };
+    add(solves_activation() ? parameters_.excitation.get() : parameters_.activation.get());
+    add(parameters_.tendon ? parameters_.tendon->unit_length.get() : nullptr);
+    std::sort(kinks.begin(), kinks.end());
+    kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+    return kinks;
+  }
+} // namespace myolines

@@ -1,0 +1,159 @@
+#include "../support/taylor.h"
+#include "run.h"
+
+#include <cmath>
+
+using namespace myolines;
+using namespace myolines::testing;
+
+namespace
+{
+  Muscle1dParameters unit(const Overrides &settings) { return read_muscle_tendon_unit(node(muscle_tendon_unit_schema(), settings)); }
+  Muscle1dParameters continuum(const Overrides &settings) { return read_continuum_muscle(node(continuum_muscle_schema(), settings)); }
+
+  /// Somewhere smooth: away from the knots of the curves.
+  State somewhere(const Muscle1dSystem &system)
+  {
+    State state = system.initial_state(0.37);
+    for (unsigned int i = 0; i < state.u.size(); ++i)
+      {
+        state.u(i) += 1e-4 * std::sin(1. + 2 * i);
+        state.v(i) = 0.3 * std::cos(0.3 + i);
+        state.a(i) = std::sin(5. * i);
+      }
+    return state;
+  }
+
+  void expect_exact_linearisation(const Muscle1dParameters &parameters, const std::string &name)
+  {
+    WorkLedger           ledger;
+    const Muscle1dSystem system(parameters, ledger);
+    const State          state = somewhere(system);
+    Vector               x(state.u);
+    for (unsigned int i = 0; i < x.size(); ++i)
+      x(i) = 1e-4 * std::cos(2. * i + 0.1);
+    EXPECT_LT(taylor_error(system, state, {1, 0, 0}, x, 1e-2), 1e-7) << name << " K";
+    EXPECT_LT(taylor_error(system, state, {0, 1, 0}, x, 1), 1e-7) << name << " C";
+    if (system.capabilities().inertia)
+      {
+        EXPECT_LT(taylor_error(system, state, {0, 0, 1}, x, 1e3), 1e-8) << name << " M";
+      }
+  }
+} // namespace
+
+TEST(Muscle1d, isLinearisedExactly)
+{
+  expect_exact_linearisation(unit({"masses=0", "task=walking"}), "massless");
+  expect_exact_linearisation(unit({"masses=7", "muscle=MG"}), "masses");
+  expect_exact_linearisation(continuum({"elements=3", "degree=4", "base material fraction=0.1"}), "continuum");
+  expect_exact_linearisation(read_isometric_chain(node(isometric_chain_schema(), {"elements=6", "base material fraction=0.01"})), "chain");
+}
+
+TEST(Muscle1d, isLinearisedExactlyWithItsActivation)
+{
+  for (const bool of_continuum : {false, true})
+    {
+      WorkLedger           ledger;
+      const Muscle1dSystem system(
+          of_continuum ? continuum({"elements=2", "degree=3", "activation=unknown"}) : unit({"masses=3", "activation=unknown"}), ledger);
+      const State state         = somewhere(system);
+      const auto  linearisation = system.make_linearisation();
+      system.linearise({state.t, Side::left, state.u, state.v, state.a}, *linearisation);
+      // weights 1 of every order: taylor_error() would give those of first order no mass, which they have not
+      Vector x(state.u), y(state.u);
+      for (unsigned int i = 0; i < x.size(); ++i)
+        x(i) = 1e-4 * std::cos(2. * i + 0.1);
+      for (const Weights w : {Weights{1, 0, 0}, Weights{0, 1, 0}, Weights{0, 0, 1}})
+        {
+          linearisation->apply({{w, w, w}}, x, y);
+          const double h     = w.u != 0 ? 1e-2 : 1;
+          const auto   moved = [&](const double size) {
+            State s = state;
+            s.u.add(size * w.u, x);
+            s.v.add(size * w.v, x);
+            s.a.add(size * w.a, x);
+            return residual_at(system, s);
+          };
+          Vector difference = moved(h);
+          difference -= moved(-h);
+          difference *= 1 / (2 * h);
+          difference -= y;
+          EXPECT_LT(difference.l2_norm(), 1e-5 * y.l2_norm());
+        }
+    }
+}
+
+TEST(Muscle1d, startsInBalance)
+{
+  for (const Muscle1dParameters &p :
+       {unit({"masses=5"}), unit({"masses=0", "scale=10"}), continuum({}), unit({"task=cycling", "muscle=VM"})})
+    {
+      WorkLedger           ledger;
+      const Muscle1dSystem system(p, ledger);
+      EXPECT_LT(residual_at(system, system.initial_state(0)).l2_norm(), 1e-9 * p.maximum_force);
+    }
+}
+
+// One element of degree 1 is, but for its mass, the chain of one mass; the consistent mass of one is a third.
+TEST(Muscle1d, continuumOfOneElementIsTheMassOfOneThird)
+{
+  WorkLedger           ledger;
+  const Muscle1dSystem chain(unit({"masses=1"}), ledger), element(continuum({"elements=1", "degree=1"}), ledger);
+  State                state = somewhere(chain);
+  Vector               r1 = residual_at(chain, state), r2 = residual_at(element, state);
+  EXPECT_NEAR(r1(0) - r2(0), 2. / 3 * chain.parameters().mass * state.a(0), 1e-12 * chain.parameters().maximum_force);
+}
+
+TEST(Muscle1d, totalMassMoves)
+{
+  for (const Muscle1dParameters &p : {unit({"masses=5"}), continuum({"elements=3", "degree=5"})})
+    {
+      WorkLedger           ledger;
+      const Muscle1dSystem system(p, ledger);
+      const auto           linearisation = system.make_linearisation();
+      const State          s             = system.initial_state(0);
+      system.linearise({0, Side::right, s.u, s.v, s.a}, *linearisation);
+      // u = X is stretching: kinetic energy m/6 of the continuum, m/(2 N^3) sum i^2 of the chain, at unit end velocity
+      Vector x(s.u), y(s.u);
+      double expected = p.mass / 3;
+      if (p.mass_of == MassOf::points)
+        {
+          expected = 0;
+          for (unsigned int i = 1; i <= 5; ++i)
+            expected += p.mass / 5 * i * i / 25.;
+          for (unsigned int i = 0; i < 5; ++i)
+            x(i) = (i + 1) / 5.;
+        }
+      else
+        {
+          x             = 0;
+          const auto gl = [](const unsigned int i) { // Gauss-Lobatto points of degree 5
+            const double inner[] = {
+                0, 0.1174723380352676535744985, 0.3573842417596774518429245, 0.6426157582403225481570755, 0.8825276619647323464255015, 1};
+            return inner[i];
+          };
+          for (unsigned int e = 0; e < 3; ++e)
+            for (unsigned int i = 1; i < 6; ++i)
+              x(5 * e + i - 1) = (e + gl(i)) / 3;
+        }
+      linearisation->apply(stage_weights(0, 0, 1), x, y);
+      EXPECT_NEAR(x * y, expected, 1e-13);
+    }
+}
+
+TEST(Muscle1d, saysWhatIsInadmissible)
+{
+  WorkLedger         ledger;
+  Muscle1dParameters p = unit({"masses=4"});
+  p.input_end          = 1;
+  const Muscle1dSystem system(p, ledger);
+  State                state = system.initial_state(0);
+  Vector               r(state.u);
+  EXPECT_TRUE(system.residual({1, Side::left, state.u, state.v, state.a}, r).admissible);
+  const Evaluation late = system.residual({1.1, Side::left, state.u, state.v, state.a}, r);
+  EXPECT_FALSE(late.admissible);
+  EXPECT_NE(late.reason.find("end at 1"), std::string::npos);
+  state.u(0) = -1;
+  EXPECT_FALSE(system.residual({0, Side::left, state.u, state.v, state.a}, r).admissible);
+  EXPECT_TRUE(std::isnan(r(2)));
+}
