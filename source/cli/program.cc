@@ -29,6 +29,7 @@ namespace myolines
         app.footer("Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed or a signal stopped the run.");
         add_run();
         add_check();
+        add_modes();
         add_study();
         add_compare();
         add_plot();
@@ -71,6 +72,17 @@ namespace myolines
         CLI::App *command =
             add(app, "check", "Validates a scene and says what a run would do", [this] { check_command(run.scene, run.overrides, out_); });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        add_overrides(command);
+      }
+
+      void add_modes()
+      {
+        CLI::App *command = add(app, "modes", "Growth rates and frequencies of small motions about the initial state of a scene",
+                                [this] { modes_command(run.scene, run.overrides, modes_, out_); });
+        command->add_option("scene", run.scene, "The scene; dense matrices: at most 2000 free unknowns, one rank")
+            ->required()
+            ->type_name("SCENE.xml");
+        command->add_option("--out", modes_, "Writes all of them, comma-separated")->type_name("FILE.csv");
         add_overrides(command);
       }
 
@@ -158,12 +170,13 @@ namespace myolines
             ->type_name("STEPS");
       }
 
-      std::ostream      &out_;
-      std::string        topic_, name_;
-      FlexodealOptions   flexodeal_;
-      study::Options     study_;
-      CompareOptions     compare_;
-      study::PlotOptions plot_;
+      std::ostream         &out_;
+      std::string           topic_, name_;
+      FlexodealOptions      flexodeal_;
+      study::Options        study_;
+      CompareOptions        compare_;
+      study::PlotOptions    plot_;
+      std::filesystem::path modes_;
     };
 
     int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out,

@@ -76,8 +76,11 @@ namespace myolines
         rod_ = std::make_unique<const Rod>(system, reader);
         return;
       }
+    const Muscle3dParameters parameters = read_muscle3d(system);
+    if (parameters.geometry.gastrocnemius || parameters.geometry.gmsh || parameters.geometry.distortion > 0)
+      throw InputError(InputProblem{file.string(), "the body is not a block of equal cells", "runs of blocks without distortion", ""});
     WorkLedger           ledger;
-    const Muscle3dSystem muscle(read_muscle3d(system), MPI_COMM_SELF, ledger);
+    const Muscle3dSystem muscle(parameters, MPI_COMM_SELF, ledger);
     muscle_ = std::make_unique<const BlockFields>(muscle, reader.read(muscle).state);
   }
 

@@ -34,7 +34,7 @@ namespace myolines
     , degree_(system.parameters().degree)
     , mode_degrees_(mode_degrees(degree_))
   {
-    const BlockGeometry &geometry = system.parameters().geometry;
+    const Geometry &geometry = system.parameters().geometry;
     for (unsigned int d = 0; d < 3; ++d)
       cells_[d] = geometry.cells[d] << geometry.refinement;
     if (system.discretisation().mesh.n_locally_owned_active_cells() != cell_number(0, 0, cells_[2]))

@@ -1,8 +1,11 @@
+#include <myolines/base/error.h>
+#include <myolines/muscle1d/equilibria.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/dense_output.h>
 #include <myolines/output/outputs.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace myolines
 {
@@ -65,6 +68,42 @@ namespace myolines
           folder);
     }
 
+    /// All equilibria of a chain, at the start of a run.
+    class Equilibria : public Observer
+    {
+    public:
+      Equilibria(const Muscle1dSystem &system, const OutputFolder &folder)
+        : system_(system)
+        , csv_(folder, "equilibria.csv",
+               {"branch 1 elements", "branch 2 elements", "branch 3 elements", "branch 1 stretch", "branch 2 stretch", "branch 3 stretch",
+                "force/F0", "unstable directions"})
+      {}
+
+      void begin(const State &state) override
+      {
+        constexpr std::size_t     branches = 3; // the force rises, falls and rises, or only rises
+        const Muscle1dParameters &p        = system_.parameters();
+        for (const ChainEquilibrium &e : chain_equilibria(p.force, p.activation->value(state.t), p.n_elements, p.initial_stretch))
+          {
+            std::vector<double> row(2 * branches + 2, std::numeric_limits<double>::quiet_NaN());
+            std::fill_n(row.begin(), branches, 0.);
+            if (e.elements.size() > branches)
+              throw SolveError("The isometric force has more than three branches, for which equilibria.csv has no columns.");
+            std::copy(e.elements.begin(), e.elements.end(), row.begin());
+            std::copy(e.stretches.begin(), e.stretches.end(), row.begin() + branches);
+            row[2 * branches]     = e.force;
+            row[2 * branches + 1] = e.unstable_directions;
+            csv_.row(row);
+          }
+      }
+
+      void save(Archive &archive) const override { csv_.save(archive); }
+
+    private:
+      const Muscle1dSystem &system_;
+      CsvFile               csv_;
+    };
+
     scene::Schema stretches_schema(const std::optional<double> interval)
     {
       scene::Schema schema("At equal intervals, interpolated within steps: stretches.csv, the mean stretch of every element.");
@@ -82,7 +121,15 @@ namespace myolines
     return scene::Schema("What to write.").section("series", series).optional_section("stretches", stretches_schema(std::nullopt));
   }
 
-  scene::Schema isometric_chain_output_schema() { return scene::Schema("What to write.").section("stretches", stretches_schema(0.25)); }
+  scene::Schema isometric_chain_output_schema()
+  {
+    return scene::Schema("What to write.")
+        .section("stretches", stretches_schema(0.25))
+        .optional_section(
+            "equilibria",
+            scene::Schema("At the start: equilibria.csv, all equilibria of the chain with the numbers of elements on the branches of its "
+                          "force (rising, falling, rising), and in how many directions each is left."));
+  }
 
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle1dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &)
@@ -95,6 +142,8 @@ namespace myolines
           [&system](const State &state) { return muscle_and_tendon(system, state); }, folder));
     if (output.has("stretches"))
       observers.push_back(stretches(output.section("stretches"), system, folder));
+    if (!system.parameters().tendon && output.has("equilibria"))
+      observers.push_back(std::make_unique<Equilibria>(system, folder));
     return observers;
   }
 } // namespace myolines

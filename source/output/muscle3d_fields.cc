@@ -142,7 +142,7 @@ namespace myolines
     };
   } // namespace
 
-  scene::Schema fields_schema()
+  scene::Schema field_output_schema()
   {
     scene::Schema fields("Fields for ParaView.");
     fields.integer("every", 1, scene::Range::closed(1, 1e9), "At the start, after every so many accepted steps, and at the end.")

@@ -163,7 +163,7 @@ namespace myolines
   {
     return Schema("What to write.")
         .section("series", series_schema())
-        .optional_section("fields", fields_schema())
+        .optional_section("fields", field_output_schema())
         .optional_section("quadrature", point_tables_schema())
         .optional_section("motion", motion_schema("displacements of the markers of the series"));
   }

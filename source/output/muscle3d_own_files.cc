@@ -12,8 +12,8 @@ namespace myolines
     public:
       explicit EnergyBalance(const OutputFolder &folder)
         : csv_(folder, "energy_balance.csv",
-               {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]", "Stored tendinous [J]",
-                "Active work [J]", "Dissipated [J]", "External work [J]", "Balance drift [J]"})
+               {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]",
+                "Active work [J]", "Dissipated [J]", "External work [J]", "Balance drift [J]", "Stored tendinous [J]"})
       {
         if (folder.saved != nullptr && folder.saved->has_numbers(memory))
           recall(folder.saved->numbers(memory));
@@ -25,9 +25,9 @@ namespace myolines
         if (!before_)
           energy_at_start_ = energy(body);
         accumulate(sample);
-        csv_.row(std::vector<double>{sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive,
-                                     body.stored_tendinous, active_work_, dissipated_, external_work_,
-                                     energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_});
+        csv_.row(std::vector<double>{sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive, active_work_,
+                                     dissipated_, external_work_,
+                                     energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_, body.stored_tendinous});
       }
 
       void pass(const Muscle3dSample &sample) override

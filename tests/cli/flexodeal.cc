@@ -73,7 +73,7 @@ TEST(Flexodeal, ParametersBecomeAScene)
   EXPECT_EQ(scene.section("time").number("step"), 0.025);
   EXPECT_EQ(scene.section("time").text("boundary rates"), "scheme");
   EXPECT_EQ(scene.section("time").text("start velocity"), "impulse");
-  EXPECT_EQ(scene.section("time").text("events"), "land");
+  EXPECT_EQ(scene.section("time").text("events"), "ignore");
   EXPECT_EQ(scene.section("solver").section("nonlinear").number("absolute tolerance"), 1e-8);
   EXPECT_EQ(scene.section("output").section("series").text("markers"), "middle 0.015 0.005 0.004; end 0.03 0.005 0.004");
 }

@@ -26,6 +26,11 @@ namespace myolines
   /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps.
   void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out);
 
+  /// Prints growth rates and frequencies of small motions about the initial state of @p scene, and the rows of modes.csv into @p file, unless
+  /// that is empty.
+  void modes_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, const std::filesystem::path &file,
+                     std::ostream &out);
+
   /// Runs the study that @p options describe as runs of this program; what they leave open is set here.
   void study_command(study::Options options, bool quiet, std::ostream &out);
 

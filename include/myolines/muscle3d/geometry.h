@@ -33,9 +33,9 @@ namespace myolines
   /// The reference body and its mesh. A block is a box with one corner at the origin.
   struct Geometry
   {
-    std::array<double, 3>           size{{0.03, 0.01, 0.01}}; ///< length along the line of action x, width, height [m]
-    std::array<unsigned int, 3>     cells{{1, 1, 1}};         ///< coarse cells per direction
-    unsigned int                    refinement = 3;           ///< global refinements of the coarse cells
+    std::array<double, 3>       size{{0.03, 0.01, 0.01}}; ///< length along the line of action x, width, height [m]
+    std::array<unsigned int, 3> cells{{1, 1, 1}};         ///< coarse cells per direction
+    unsigned int                refinement = 3;           ///< global refinements of the coarse cells
     double distortion = 0; ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
     std::optional<Gastrocnemius>    gastrocnemius;
     std::shared_ptr<const GmshBody> gmsh; ///< with neither: a block

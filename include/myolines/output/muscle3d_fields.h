@@ -13,7 +13,7 @@
 namespace myolines
 {
   /// Parameters of the optional list `fields`.
-  scene::Schema fields_schema();
+  scene::Schema field_output_schema();
 
   /// Writes fields-NNNN.vtu (.pvtu) or fields-NNNN.h5 and keeps fields.pvd or fields.xdmf, their list, valid at all times.
   /// Ledger: "field outputs"; seconds of "output fields".

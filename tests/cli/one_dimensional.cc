@@ -1,0 +1,66 @@
+#include "program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace
+{
+  const std::string unit  = MYOLINES_SOURCE_DIR "/input/one_dimensional/muscle_tendon_unit.xml";
+  const std::string chain = MYOLINES_SOURCE_DIR "/input/one_dimensional/isometric_chain.xml";
+
+  std::vector<std::string> lines(const std::filesystem::path &file)
+  {
+    std::istringstream       text(contents(file));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(text, line);)
+      all.push_back(line);
+    return all;
+  }
+} // namespace
+
+TEST(OneDimensional, unitsWriteTheirSeries)
+{
+  const TestFolder folder;
+  for (const std::string masses : {"0", "2"})
+    {
+      const Outcome outcome = run_program(folder, "run " + unit + " --quiet --out u --set time/end=0.1 --set system/masses=" + masses);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      const auto rows = lines(folder / "u/muscle_tendon.csv");
+      ASSERT_EQ(rows.size(), 7u);
+      EXPECT_EQ(rows[0], "Time [s],excitation,activation,muscle stretch,muscle strain rate,tendon strain,tendon force/F0");
+      EXPECT_EQ(rows[1].substr(0, 2), "0,");
+    }
+}
+
+TEST(OneDimensional, chainsWriteStretchesAndEquilibria)
+{
+  const TestFolder folder;
+  folder.write("chain.xml", contents(chain).replace(contents(chain).find("<ParameterList name=\"stretches\">"), 0,
+                                                    "<ParameterList name=\"equilibria\"/>"));
+  const Outcome outcome = run_program(folder, "run chain.xml --quiet --out c --set time/end=0.5");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(lines(folder / "c/stretches.csv").size(), 4u);
+  EXPECT_EQ(lines(folder / "c/stretches.csv")[0].substr(0, 30), "Time [s],stretch 1,stretch 2,s");
+  const auto rows = lines(folder / "c/equilibria.csv");
+  EXPECT_GT(rows.size(), 9u);
+  unsigned int without_middle = 0;
+  for (const std::string &row : rows)
+    without_middle += row.find(",0,") == row.find(',') ? 1 : 0;
+  EXPECT_EQ(without_middle, 8u);
+}
+
+TEST(OneDimensional, modesTellWhatGrows)
+{
+  const TestFolder folder;
+  const Outcome    falling = run_program(folder, "modes " + chain + " --set system/perturbation=0 --out m.csv");
+  ASSERT_EQ(falling.exit_code, 0) << falling.err;
+  EXPECT_NE(falling.out.find("32, of which 16 grow"), std::string::npos) << falling.out;
+  const auto rows = lines(folder / "m.csv");
+  ASSERT_EQ(rows.size(), 33u);
+  EXPECT_NEAR(std::stod(rows[1]), 1.069, 1e-3);
+  const Outcome rising = run_program(folder, "modes " + chain + " --set system/perturbation=0 --set system/stretch=0.85");
+  EXPECT_NE(rising.out.find("of which 0 grow"), std::string::npos) << rising.out;
+  EXPECT_EQ(run_program(folder, "modes " + unit + " --set system/activation=unknown").exit_code, 2);
+}
