@@ -93,8 +93,7 @@ namespace myolines::study
           << quoted(picture.y_label) << "\nset grid lc rgb '#CCCCCC'\n"
           << (picture.marks ? "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n" : "set autoscale xfix\n");
       for (const auto &[axis, logarithmic] : {std::pair<const char *, bool>{"x", picture.log_x}, {"y", picture.log_y}})
-        if (logarithmic)
-          out << "set logscale " << axis << "\nset format " << axis << " '%g'\n";
+        out << (logarithmic ? std::string("set logscale ") + axis + "\n" : "") << "set format " << axis << " '%g'\n";
       write_words("x", picture.x_words, out);
       write_words("y", picture.y_words, out);
     }
@@ -106,7 +105,7 @@ namespace myolines::study
     {
       out << "set multiplot layout " << (picture.panels.size() + 1) / 2 << "," << (picture.panels.size() > 1 ? 2 : 1) << " title "
           << quoted(picture.title)
-          << " margins 0.07,0.74,0.1,0.88 spacing 0.08,0.2\nset key at screen 0.75,0.89 left top Left reverse samplen 2\n";
+          << " margins 0.07,0.7,0.1,0.88 spacing 0.08,0.2\nset key at screen 0.71,0.89 left top Left reverse samplen 2\n";
       for (std::size_t i = 0; i < picture.panels.size(); ++i)
         if (has_points(picture.panels[i]))
           {

@@ -58,6 +58,7 @@ namespace myolines::study
           .text("columns", std::nullopt, "Headers of columns, with their units, \"a [m] | b [m]\".")
           .text("over", "", "Header of the column that is the abscissa; the first if empty.")
           .text("of", "", "Only cases at these points of the axes, \"profile=ramp | mesh=coarse | mesh=fine\".")
+          .boolean("logarithmic", false, "Whether the ordinate is; what is not positive is left out.")
           .optional_number("from", "", Range::any(), "Rows whose abscissa is before are left out.")
           .optional_number("until", "", Range::any(), "Rows whose abscissa is after are left out.");
       return schema;

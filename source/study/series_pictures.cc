@@ -69,6 +69,7 @@ namespace myolines::study
       picture.x_label = x_label;
       picture.y_label = y_label;
       picture.marks   = false;
+      picture.log_y   = wanted.logarithmic;
       return picture;
     }
 
@@ -115,7 +116,7 @@ namespace myolines::study
 
   SeriesPicture read_series_picture(const scene::Node &node, const Study &study)
   {
-    SeriesPicture picture{node.name(), node.text("file"), split(node.text("columns")), node.text("over"), {}, {}, {}};
+    SeriesPicture picture{node.name(), node.text("file"), split(node.text("columns")), node.text("over"), {}, false, {}, {}};
     if (picture.columns.empty())
       node.refuse("columns", "there is no column", "headers separated by |");
     for (const std::string &choice : split(node.text("of")))
@@ -132,6 +133,7 @@ namespace myolines::study
                       "nearest: \"" + nearest_name(label, labels) + "\"");
         picture.of[axis].push_back(label);
       }
+    picture.logarithmic = node.boolean("logarithmic");
     if (node.has("from"))
       picture.from = node.number("from");
     if (node.has("until"))

@@ -74,6 +74,7 @@ namespace myolines::study
     std::vector<std::string>                        columns;
     std::string                                     over; ///< header of the abscissa; "" for the first column
     std::map<std::string, std::vector<std::string>> of;   ///< axis -> the labels wanted; all of other axes
+    bool                                            logarithmic = false;
     std::optional<double>                           from, until;
   };
 

@@ -1,0 +1,26 @@
+#!/bin/sh
+# study_pictures.sh PROGRAM SOURCE RESULTS: runs the studies behind doc/kinks.md and doc/stability.md in RESULTS, where a study that is done is not
+# run again, and puts the pictures of these pages into SOURCE/doc/pictures.
+set -eu
+program=$1 source=$2 results=$3
+
+# study STUDY, then pairs of a picture that it draws, with its extension, and its name in doc/pictures.
+study()
+{
+  name=$1
+  shift
+  "$program" study "$source/input/studies/$name.xml" --out "$results/$name"
+  "$program" plot "$results/$name"
+  while [ $# -gt 0 ]; do
+    cp "$results/$name/pictures/$1" "$source/doc/pictures/$2.${1##*.}"
+    shift 2
+  done
+}
+
+study chapter4_rod ramp__close_up.svg kinks_rod sine__steps_that_methods_choose.png kinks_rod_steps
+study chapter4_block isotropic_ramp__close_up.svg kinks_bar_isotropic passive_ramp__close_up.svg kinks_bar_passive \
+  active_ramp__close_up.svg kinks_bar_active
+study stability_stress map_0.05.svg stability_0.05 map_0.01.svg stability_0.01 map_0.001.svg stability_0.001
+study stability_short
+study energy_drift_rod
+study energy_drift_block
