@@ -4,6 +4,7 @@
 #include <myolines/muscle3d/gmsh_body.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <array>
@@ -139,6 +140,21 @@ namespace myolines
       return high > 0 ? low / high : -1;
     }
 
+    /// Volume of the trilinear image of the unit cube.
+    double cell_volume(const std::vector<Point> &x, const unsigned int *v)
+    {
+      double                  volume = 0;
+      const dealii::QGauss<3> rule(2);
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          dealii::Tensor<2, 3> J;
+          for (unsigned int i = 0; i < 8; ++i)
+            J += outer_product(x[v[i]], dealii::GeometryInfo<3>::d_linear_shape_function_gradient(rule.point(q), i));
+          volume += rule.weight(q) * determinant(J);
+        }
+      return volume;
+    }
+
     using Face = std::array<unsigned int, 4>;
 
     /// Vertices of the faces that only one cell has, in the order of deal.II.
@@ -197,120 +213,169 @@ namespace myolines
           if (const Point middle = Point(0.5 * (x[f[i]] + x[f[j]])); places.contains(middle))
             refuse("a node hangs at " + text(middle) + ": cells of different size meet", "a conforming mesh");
     }
+
+    /// Fills a body from the file that Gmsh has open.
+    class Reader
+    {
+    public:
+      Reader(GmshBody &body, const double scale, const Refusal &refuse)
+        : body_(body)
+        , refuse_(refuse)
+      {
+        std::vector<std::size_t> tags;
+        std::vector<double>      coordinates, parameters;
+        gmsh::model::mesh::getNodes(tags, coordinates, parameters);
+        for (std::size_t i = 0; i < tags.size(); ++i)
+          nodes_[tags[i]] = scale * Point(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+      }
+
+      void read_cells()
+      {
+        for (const Group &group : groups(3))
+          for (const int entity : group.entities)
+            if (const std::vector<std::size_t> cell_nodes = elements(3, entity, 5, refuse_); !cell_nodes.empty())
+              {
+                const unsigned int id = tissue_of(group, refuse_);
+                for (std::size_t first = 0; first < cell_nodes.size(); first += 8)
+                  add_cell(&cell_nodes[first], id);
+              }
+        if (body_.cells.empty())
+          refuse_("the mesh has no cells", "hexahedra of 8 nodes", "in Gmsh: mesh in 3D and save all or the physical volumes");
+        for (const TissueKind &kind : tissue_kinds())
+          if (const auto n = std::count_if(body_.cells.begin(), body_.cells.end(), [&](const auto &c) { return c.material_id == kind.id; });
+              n > 0)
+            {
+              body_.tissues.push_back(kind.name);
+              body_.report.push_back(std::to_string(n) + " cells of " + kind.name);
+            }
+        std::ostringstream quality;
+        quality << "volume " << body_.volume << " m^3; smallest corner Jacobian over the largest of its cell: " << worst_;
+        body_.report.push_back(quality.str());
+      }
+
+      void read_box()
+      {
+        body_.low = body_.high = body_.vertices.front();
+        for (const Point &x : body_.vertices)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              body_.low[c]  = std::min(body_.low[c], x[c]);
+              body_.high[c] = std::max(body_.high[c], x[c]);
+            }
+      }
+
+      void read_faces(const std::vector<Face> &outside)
+      {
+        const std::map<Face, unsigned int> named = named_quadrilaterals();
+        std::vector<std::vector<Face>>     of_name(body_.face_names.size());
+        unsigned int                       free = 0;
+        for (const Face &face : outside)
+          {
+            const auto          found = named.find(sorted(face));
+            dealii::CellData<2> quad;
+            std::copy(face.begin(), face.end(), quad.vertices.begin());
+            quad.boundary_id = found == named.end() ? GmshBody::unnamed : found->second;
+            body_.faces.boundary_quads.push_back(quad);
+            if (found == named.end())
+              ++free;
+            else
+              of_name[found->second].push_back(face);
+          }
+        for (std::size_t i = 0; i < of_name.size(); ++i)
+          add_face(body_.face_names[i], of_name[i]);
+        if (free > 0)
+          body_.report.push_back(std::to_string(free) + " quadrilaterals of the boundary belong to no physical surface: free");
+      }
+
+    private:
+      static Face sorted(Face face)
+      {
+        std::sort(face.begin(), face.end());
+        return face;
+      }
+
+      /// Only nodes of cells become vertices.
+      unsigned int vertex(const std::size_t tag)
+      {
+        const auto [entry, fresh] = numbers_.emplace(tag, body_.vertices.size());
+        if (fresh)
+          body_.vertices.push_back(nodes_.at(tag));
+        return entry->second;
+      }
+
+      void add_cell(const std::size_t *cell_nodes, const unsigned int id)
+      {
+        constexpr unsigned int order[] = {0, 1, 3, 2, 4, 5, 7, 6}; // Gmsh goes round, deal.II row by row
+        dealii::CellData<3>    cell;
+        cell.material_id = id;
+        for (unsigned int i = 0; i < 8; ++i)
+          cell.vertices[i] = vertex(cell_nodes[order[i]]);
+        const double quality = corner_quality(body_.vertices, cell.vertices.data());
+        if (!(quality > 0))
+          refuse_("a cell at " + text(body_.vertices[cell.vertices[0]]) + " is inverted or degenerate",
+                  "hexahedra with positive Jacobians at all corners");
+        worst_ = std::min(worst_, quality);
+        body_.volume += cell_volume(body_.vertices, cell.vertices.data());
+        body_.cells.push_back(cell);
+      }
+
+      /// Place of the name by sorted vertices; fills the names.
+      std::map<Face, unsigned int> named_quadrilaterals()
+      {
+        std::map<Face, unsigned int> named;
+        for (const Group &group : groups(2))
+          if (group.tag != 0)
+            {
+              for (const int entity : group.entities)
+                {
+                  const std::vector<std::size_t> quads = elements(2, entity, 3, refuse_);
+                  for (std::size_t first = 0; first < quads.size(); first += 4)
+                    {
+                      Face face;
+                      for (unsigned int i = 0; i < 4; ++i)
+                        face[i] = vertex(quads[first + i]);
+                      named[sorted(face)] = body_.face_names.size();
+                    }
+                }
+              body_.face_names.push_back(group.name.empty() ? std::to_string(group.tag) : group.name);
+            }
+        return named;
+      }
+
+      void add_face(const std::string &name, const std::vector<Face> &quads)
+      {
+        if (quads.empty())
+          refuse_("the physical surface \"" + name + "\" is not at the boundary of the cells", "surfaces of the body");
+        Point centre;
+        for (const Face &quad : quads)
+          for (const unsigned int v : quad)
+            centre += body_.vertices[v] / (4. * quads.size());
+        Point nearest = body_.vertices[quads.front()[0]];
+        for (const Face &quad : quads)
+          for (const unsigned int v : quad)
+            if (body_.vertices[v].distance(centre) < nearest.distance(centre))
+              nearest = body_.vertices[v];
+        body_.face_centres.push_back(nearest);
+        body_.report.push_back(std::to_string(quads.size()) + " quadrilaterals on the face \"" + name + "\"");
+      }
+
+      GmshBody                           &body_;
+      const Refusal                      &refuse_;
+      std::map<std::size_t, Point>        nodes_;   ///< by tag
+      std::map<std::size_t, unsigned int> numbers_; ///< of vertices by tag
+      double                              worst_ = 1;
+    };
   } // namespace
 
   GmshBody::GmshBody(const std::filesystem::path &file, const double scale, const std::string &where)
   {
     const Refusal refuse{where};
     const Session session(file, refuse);
-
-    std::vector<std::size_t> tags;
-    std::vector<double>      coordinates, parameters;
-    gmsh::model::mesh::getNodes(tags, coordinates, parameters);
-    std::map<std::size_t, Point> nodes;
-    for (std::size_t i = 0; i < tags.size(); ++i)
-      nodes[tags[i]] = scale * Point(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
-
-    std::map<std::size_t, unsigned int> numbers; // only nodes of cells become vertices
-    const auto                          vertex = [&](const std::size_t tag) {
-      const auto [entry, fresh] = numbers.emplace(tag, vertices.size());
-      if (fresh)
-        vertices.push_back(nodes.at(tag));
-      return entry->second;
-    };
-    constexpr unsigned int order[] = {0, 1, 3, 2, 4, 5, 7, 6}; // Gmsh goes round, deal.II row by row
-    double                 worst   = 1;
-    for (const Group &group : groups(3))
-      for (const int entity : group.entities)
-        {
-          const std::vector<std::size_t> cell_nodes = elements(3, entity, 5, refuse);
-          if (cell_nodes.empty())
-            continue;
-          const unsigned int id = tissue_of(group, refuse);
-          for (std::size_t first = 0; first < cell_nodes.size(); first += 8)
-            {
-              dealii::CellData<3> cell;
-              cell.material_id = id;
-              for (unsigned int i = 0; i < 8; ++i)
-                cell.vertices[i] = vertex(cell_nodes[first + order[i]]);
-              const double quality = corner_quality(vertices, cell.vertices.data());
-              if (!(quality > 0))
-                refuse("a cell at " + text(vertices[cell.vertices[0]]) + " is inverted or degenerate",
-                       "hexahedra with positive Jacobians at all corners");
-              worst = std::min(worst, quality);
-              cells.push_back(cell);
-            }
-        }
-    if (cells.empty())
-      refuse("the mesh has no cells", "hexahedra of 8 nodes", "in Gmsh: mesh in 3D and save all or the physical volumes");
-
-    low = high = vertices.front();
-    for (const Point &x : vertices)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          low[c]  = std::min(low[c], x[c]);
-          high[c] = std::max(high[c], x[c]);
-        }
-    for (const TissueKind &kind : tissue_kinds())
-      if (const auto n = std::count_if(cells.begin(), cells.end(), [&](const auto &c) { return c.material_id == kind.id; }); n > 0)
-        {
-          tissues.push_back(kind.name);
-          report.push_back(std::to_string(n) + " cells of " + kind.name);
-        }
-
+    Reader        reader(*this, scale, refuse);
+    reader.read_cells();
+    reader.read_box();
     const std::vector<Face> outside = boundary_faces(cells);
     refuse_hanging_nodes(*this, outside, refuse);
-    std::map<Face, unsigned int> named;
-    for (const Group &group : groups(2))
-      if (group.tag != 0)
-        {
-          for (const int entity : group.entities)
-            {
-              const std::vector<std::size_t> quads = elements(2, entity, 3, refuse);
-              for (std::size_t first = 0; first < quads.size(); first += 4)
-                {
-                  Face face;
-                  for (unsigned int i = 0; i < 4; ++i)
-                    face[i] = vertex(quads[first + i]);
-                  std::sort(face.begin(), face.end());
-                  named[face] = face_names.size();
-                }
-            }
-          face_names.push_back(group.name.empty() ? std::to_string(group.tag) : group.name);
-        }
-    std::vector<unsigned int> n_faces(face_names.size() + 1, 0);
-    std::vector<Point>        sums(face_names.size());
-    for (const Face &face : outside)
-      {
-        Face sorted = face;
-        std::sort(sorted.begin(), sorted.end());
-        const auto          found = named.find(sorted);
-        dealii::CellData<2> quad;
-        std::copy(face.begin(), face.end(), quad.vertices.begin());
-        quad.boundary_id = found == named.end() ? unnamed : found->second;
-        faces.boundary_quads.push_back(quad);
-        ++n_faces[found == named.end() ? face_names.size() : found->second];
-        if (found != named.end())
-          for (const unsigned int v : face)
-            sums[found->second] += 0.25 * vertices[v];
-      }
-    for (std::size_t i = 0; i < face_names.size(); ++i)
-      {
-        if (n_faces[i] == 0)
-          refuse("the physical surface \"" + face_names[i] + "\" is not at the boundary of the cells", "surfaces of the body");
-        const Point centre = Point(sums[i] / n_faces[i]);
-        face_centres.push_back(Point(1e300, 0, 0));
-        for (const auto &quad : faces.boundary_quads)
-          if (quad.boundary_id == i)
-            for (const unsigned int v : quad.vertices)
-              if (vertices[v].distance(centre) < face_centres.back().distance(centre))
-                face_centres.back() = vertices[v];
-        report.push_back(std::to_string(n_faces[i]) + " quadrilaterals on the face \"" + face_names[i] + "\"");
-      }
-    if (n_faces.back() > 0)
-      report.push_back(std::to_string(n_faces.back()) + " quadrilaterals of the boundary belong to no physical surface: free");
-    std::ostringstream quality;
-    quality << "smallest corner Jacobian over the largest of its cell: " << worst;
-    report.push_back(quality.str());
+    reader.read_faces(outside);
   }
 } // namespace myolines

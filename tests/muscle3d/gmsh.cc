@@ -1,0 +1,138 @@
+// Bodies from Gmsh files, good and bad.
+#include "fixtures.h"
+
+#include <myolines/base/error.h>
+#include <myolines/muscle3d/measurements.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gmsh.h>
+
+namespace myolines
+{
+  namespace
+  {
+    class Gmsh : public testing::Test
+    {
+    protected:
+      Gmsh()
+        : folder_(std::filesystem::temp_directory_path() / ("myolines_gmsh_" + std::to_string(::getpid())))
+      {
+        std::filesystem::create_directories(folder_);
+      }
+      ~Gmsh() override { std::filesystem::remove_all(folder_); }
+
+      /// Two boxes on top of each other, muscle below and tendon above, by Gmsh itself.
+      std::filesystem::path two_boxes(const double version, const bool binary) const
+      {
+        gmsh::initialize(0, nullptr, false);
+        gmsh::option::setNumber("General.Terminal", 0);
+        gmsh::model::add("boxes");
+        std::vector<int> lines, layers;
+        const int        a = gmsh::model::geo::addPoint(0, 0, 0), b = gmsh::model::geo::addPoint(30, 0, 0),
+                  c = gmsh::model::geo::addPoint(33, 10, 0), d = gmsh::model::geo::addPoint(3, 10, 0);
+        for (const auto &[from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, d), std::pair(d, a)})
+          lines.push_back(gmsh::model::geo::addLine(from, to));
+        const int base = gmsh::model::geo::addPlaneSurface({gmsh::model::geo::addCurveLoop(lines)});
+        for (const int line : lines)
+          gmsh::model::geo::mesh::setTransfiniteCurve(line, 3);
+        gmsh::model::geo::mesh::setTransfiniteSurface(base);
+        gmsh::model::geo::mesh::setRecombine(2, base);
+        gmsh::vectorpair lower, upper;
+        gmsh::model::geo::extrude({{2, base}}, 0, 0, 8, lower, {2}, {}, true);
+        gmsh::model::geo::extrude({lower[0]}, 0, 0, 4, upper, {1}, {}, true);
+        gmsh::model::geo::synchronize();
+        const auto group = [](const int dimension, const int entity, const std::string &name) {
+          gmsh::model::setPhysicalName(dimension, gmsh::model::addPhysicalGroup(dimension, {entity}), name);
+        };
+        group(3, lower[1].second, "muscle");
+        group(3, upper[1].second, "tendon");
+        group(2, base, "foot");
+        group(2, upper[0].second, "head");
+        gmsh::model::mesh::generate(3);
+        gmsh::option::setNumber("Mesh.MshFileVersion", version);
+        gmsh::option::setNumber("Mesh.Binary", binary ? 1 : 0);
+        const auto file = folder_ / "boxes.msh";
+        gmsh::write(file.string());
+        gmsh::finalize();
+        return file;
+      }
+
+      std::filesystem::path write(const std::string &text) const
+      {
+        const auto file = folder_ / "bad.msh";
+        std::ofstream(file) << text;
+        return file;
+      }
+
+      std::string refusal(const std::filesystem::path &file) const
+      {
+        try
+          {
+            GmshBody(file, 1, "scene.xml: system/geometry/file");
+          }
+        catch (const InputError &error)
+          {
+            return error.what();
+          }
+        return "";
+      }
+
+      std::filesystem::path folder_;
+    };
+
+    TEST_F(Gmsh, EveryVersionAndEncodingIsTheSameBody)
+    {
+      for (const double version : {2.2, 4.1})
+        for (const bool binary : {false, true})
+          {
+            const GmshBody body(two_boxes(version, binary), 1e-3, "");
+            EXPECT_EQ(body.cells.size(), 12u);
+            EXPECT_EQ(body.tissues, (std::vector<std::string>{"muscle", "tendon"}));
+            EXPECT_EQ(body.face_names, (std::vector<std::string>{"foot", "head"}));
+            EXPECT_NEAR(body.volume, 30e-3 * 10e-3 * 12e-3, 1e-18);
+            EXPECT_NEAR(body.high[0], 33e-3, 1e-15);
+          }
+    }
+
+    TEST_F(Gmsh, TheSystemHasItsVolumeAndItsFaces)
+    {
+      Muscle3dParameters p;
+      p.n_points            = 3;
+      p.geometry.gmsh       = std::make_shared<const GmshBody>(two_boxes(2.2, false), 1e-3, "");
+      p.geometry.refinement = 0;
+      p.geometry.size       = {{33e-3, 10e-3, 12e-3}};
+      p.tissues[tendon_id]  = tissue_kinds()[tendon_id - 1].defaults;
+      WorkLedger           ledger;
+      const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
+      const BodyMeasures   m = measure_body(system, system.initial_state(0), SlabRule::quadrature_points);
+      EXPECT_NEAR(m.volume, 30e-3 * 10e-3 * 12e-3, 1e-16);
+      EXPECT_EQ(system.discretisation().space->face_nodes(0).size(), 25u); // 2 x 2 quadratic faces
+      for (const auto node : system.discretisation().space->face_nodes(1))
+        EXPECT_NEAR(system.discretisation().space->node_position(node)[2], 12e-3, 1e-15);
+    }
+
+    TEST_F(Gmsh, WhatIsNoBodyIsRefusedWithItsPlace)
+    {
+      const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+      const std::string cube   = header + "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n";
+      EXPECT_EQ(refusal(write(cube + "$Elements\n1\n1 5 2 1 1 1 2 3 4 5 6 7 8\n$EndElements\n")), "");
+      EXPECT_NE(refusal(write(cube + "$Elements\n1\n1 5 2 1 1 5 6 7 8 1 2 3 4\n$EndElements\n")).find("inverted"), std::string::npos);
+      EXPECT_NE(refusal(write(cube + "$Elements\n1\n1 4 2 1 1 1 2 3 5\n$EndElements\n")).find("Tetrahedron"), std::string::npos);
+      EXPECT_NE(refusal(write(cube + "$Elements\n1\n1 5 2 9 1 1 2 3 4 5 6 7 8\n$EndElements\n")).find("no tissue"), std::string::npos);
+      EXPECT_NE(refusal(folder_ / "nowhere.msh").find("cannot read"), std::string::npos);
+      // A cube beside two half ones: the nodes between them hang on its face; and two cubes that are not joined.
+      const std::string more = header +
+                               "$Nodes\n16\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n9 2 0 0\n10 2 1 0\n"
+                               "11 2 0 0.5\n12 2 1 0.5\n13 1 0 0.5\n14 1 1 0.5\n15 2 0 1\n16 2 1 1\n$EndNodes\n$Elements\n";
+      EXPECT_NE(
+          refusal(
+              write(more + "3\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 5 2 1 1 2 9 10 3 13 11 12 14\n3 5 2 1 1 13 11 12 14 6 15 16 7\n$EndElements\n"))
+              .find("hangs"),
+          std::string::npos);
+    }
+  } // namespace
+} // namespace myolines
