@@ -62,7 +62,7 @@ TEST(Differences, OfDilatationAndPressure)
   const VectorField bent    = [=](const auto &x) { return vector(a * x[0] * x[0], 0, 0); };
   const VectorField swollen = [=](const auto &x) { return (stretch - 1) * dealii::Tensor<1, 3>(x); };
   const auto        power   = [=](const int n) { return (std::pow(1 + 2 * a * L - D, n) - std::pow(1 - D, n)) / (2 * a * n); };
-  const double      kappa   = block_of(coarse).tissue.bulk_modulus;
+  const double      kappa   = block_of(coarse).muscle().bulk_modulus;
   for (const Mesh &one : {coarse, other, cubic})
     for (const Mesh &two : {coarse, fine, other})
       {
