@@ -43,6 +43,8 @@ namespace myolines
     public:
       Session(const std::filesystem::path &file, const Refusal &refuse)
       {
+        if (!std::filesystem::is_regular_file(file))
+          refuse("there is no file " + file.string(), "a mesh in a format of Gmsh, 2.2 or 4.1, ASCII or binary");
         gmsh::initialize(0, nullptr, false);
         try
           {

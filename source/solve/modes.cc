@@ -32,13 +32,13 @@ namespace myolines
       const double norm = lapack.l1_norm();
       try
         {
-          lapack.compute_lu_factorization();
+          lapack.invert();
         }
       catch (const dealii::ExceptionBase &)
         {
           return false;
         }
-      return norm > 0 && lapack.reciprocal_condition_number(norm) > 1e-15;
+      return norm * lapack.l1_norm() < 1e15; // the condition number
     }
 
     /// left^-1 right
