@@ -2,6 +2,7 @@
 #include <myolines/base/names.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/flexodeal.h>
+#include <myolines/cli/point.h>
 #include <myolines/cli/program.h>
 #include <myolines/compare/compare.h>
 #include <myolines/output/text_file.h>
@@ -30,6 +31,7 @@ namespace myolines
         add_run();
         add_check();
         add_modes();
+        add_point();
         add_study();
         add_compare();
         add_plot();
@@ -83,6 +85,22 @@ namespace myolines
             ->required()
             ->type_name("SCENE.xml");
         command->add_option("--out", modes_, "Writes all of them, comma-separated")->type_name("FILE.csv");
+        add_overrides(command);
+      }
+
+      void add_point()
+      {
+        CLI::App *command = add(app, "point", "Stress against stretch and rate of every tissue of a scene",
+                                [this] { point_command(run.scene, run.overrides, point_, out_); });
+        command->add_option("scene", run.scene, "A scene of the system \"muscle 3d\"")->required()->type_name("SCENE.xml");
+        command->add_option("--out", point_.folder, "Where to write tables and pictures; default: results/ and \"SCENE point\"")
+            ->type_name("DIR");
+        command->add_option("--stretch", point_.stretch, "Stretches")->expected(3)->capture_default_str()->type_name("FROM TO POINTS");
+        command->add_option("--strain-rate", point_.strain_rate, "Strain rates, over the maximum one")
+            ->expected(3)
+            ->capture_default_str()
+            ->type_name("FROM TO POINTS");
+        command->add_option("--activation", point_.activation, "Activations")->capture_default_str()->type_name("NUMBER ...");
         add_overrides(command);
       }
 
@@ -177,6 +195,7 @@ namespace myolines
       CompareOptions        compare_;
       study::PlotOptions    plot_;
       std::filesystem::path modes_;
+      PointOptions          point_;
     };
 
     int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out,

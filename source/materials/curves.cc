@@ -26,17 +26,44 @@ namespace myolines::curves
         }
       return energy;
     }
+
+    /// Integral of a user's curve over s from 1 to @p stretch, by Gauss' rule of 8 points between knots.
+    double integral_over_stretch(const Pieces &pieces, const double stretch)
+    {
+      constexpr double x[] = {0.1834346424956498, 0.5255324099163290, 0.7966664774136267, 0.9602898564975363};
+      constexpr double w[] = {0.3626837833783620, 0.3137066458778873, 0.2223810344533745, 0.1012285362903763};
+      const double     low = std::min(1., stretch), high = std::max(1., stretch);
+      double           energy = 0, a = low;
+      for (int i = 0; i <= pieces.n && a < high; ++i)
+        {
+          const double b = i == pieces.n ? high : std::min(high, pieces.knots[i]);
+          if (!(b > a))
+            continue;
+          for (int k = 0; k < 4; ++k)
+            for (const double side : {-1., 1.})
+              {
+                const double s = (a + b) / 2 + side * x[k] * (b - a) / 2;
+                energy += w[k] * (b - a) / 2 * evaluate(pieces, s).value / s;
+              }
+          a = b;
+        }
+      return stretch < 1 ? -energy : energy;
+    }
   } // namespace
 
-  double passive_energy(const double stretch)
+  double passive_energy(const double stretch, const FibreCurves *user)
   {
+    if (user != nullptr && user->passive.n > 0)
+      return integral_over_stretch(user->passive, stretch);
     constexpr Piece pieces[] = {
         {1, 2.353845, 0, 0}, {1.25, 3.436357, 1.176922, 0.147115}, {1.5, 0.427408, 2.895101, 0.656118}, {1.65, 0, 3.023323, 1.1}};
     return integral_over_stretch(pieces, stretch);
   }
 
-  double tendon_energy(const double stretch)
+  double tendon_energy(const double stretch, const FibreCurves *user)
   {
+    if (user != nullptr && user->tendon.n > 0)
+      return integral_over_stretch(user->tendon, stretch);
     constexpr Piece pieces[] = {{1, 515.882034, 0.01, 0.01},
                                 {1.01, 600.590242, 10.327641, 0.061688},
                                 {1.02, -9.975322, 22.339446, 0.225024},

@@ -1,5 +1,7 @@
 #include <myolines/materials/tissue.h>
 
+#include <cmath>
+
 namespace myolines
 {
   namespace
@@ -154,15 +156,24 @@ namespace myolines
     return t;
   }
 
+  std::optional<std::array<double, 3>> unit_vector(const std::array<double, 3> &v)
+  {
+    const double length = std::hypot(v[0], v[1], v[2]);
+    if (!(length > 0) || !std::isfinite(length))
+      return std::nullopt;
+    return std::array<double, 3>{{v[0] / length, v[1] / length, v[2] / length}};
+  }
+
   Material material(const TissueParameters &t)
   {
+    const auto   base = t.base.coefficients(), fat = t.fat.base.coefficients();
     const double f = t.fat.fraction, rest = 1 - f;
     const bool   muscle = t.fibre.law == FibreLaw::muscle;
     Material     m{};
     for (int i = 0; i < 3; ++i)
       {
         m[material_direction + i] = t.fibre.direction[i];
-        m[material_yeoh + i]      = rest * t.base.scale * t.base.c[i] + f * t.fat.base.scale * t.fat.base.c[i];
+        m[material_yeoh + i]      = rest * base[i] + f * fat[i];
       }
     m[material_bulk]     = rest * t.bulk_modulus + f * t.fat.bulk_modulus;
     m[material_density]  = t.density;

@@ -1,7 +1,8 @@
 #include <myolines/muscle3d/body_fields.h>
+#include <myolines/muscle3d/entries.h>
+#include <myolines/muscle3d/formula.h>
 
-#include <cmath>
-#include <stdexcept>
+#include <limits>
 
 namespace myolines
 {
@@ -9,20 +10,7 @@ namespace myolines
   {
     using scene::Node;
 
-    std::string read_formula(const Node &node, const std::string &name)
-    {
-      if (!node.has(name))
-        return "";
-      try
-        {
-          const VectorFormula formula(std::array<std::string, 3>{{node.text(name), "0", "0"}});
-        }
-      catch (const std::invalid_argument &error)
-        {
-          node.refuse(name, error.what(), "one expression of x, y, z and pi, e.g. \"2e5*(1+10*x)\"");
-        }
-      return node.text(name);
-    }
+    std::string formula_or_none(const Node &node, const std::string &name) { return node.has(name) ? read_formula(node, name) : ""; }
 
     std::string or_zero(const std::string &text) { return text.empty() ? "0" : text; }
   } // namespace
@@ -41,52 +29,88 @@ namespace myolines
   BodyFields read_fields(const Node &node)
   {
     BodyFields fields;
-    fields.stress           = read_formula(node, "maximum isometric stress");
-    fields.fat              = read_formula(node, "fat fraction");
-    fields.activation_scale = read_formula(node, "activation scale");
+    fields.stress           = formula_or_none(node, "maximum isometric stress");
+    fields.fat              = formula_or_none(node, "fat fraction");
+    fields.activation_scale = formula_or_none(node, "activation scale");
     if (node.has("table"))
       fields.table = std::make_shared<PointProperties>(node.file("table"));
     return fields;
   }
 
+  /// The formulas, parsed.
+  struct MaterialField::MuscleFormulas
+  {
+    VectorFormula                scalars;
+    std::optional<VectorFormula> direction;
+    std::vector<VectorFormula>   regions;
+  };
+
   MaterialField::MaterialField(const BodyFields &fields, const std::map<unsigned int, TissueParameters> &tissues)
     : fields_(fields)
     , tissues_(tissues)
   {
+    if (!fields.formulas())
+      return;
+    const std::array<std::string, 3> scalars{{or_zero(fields.stress), or_zero(fields.fat), or_zero(fields.activation_scale)}};
+    auto                             formulas = std::make_shared<MuscleFormulas>(MuscleFormulas{VectorFormula(scalars), {}, {}});
     if (!fields.direction[0].empty())
-      direction_.emplace(fields.direction);
-    scalars_.emplace(std::array<std::string, 3>{{or_zero(fields.stress), or_zero(fields.fat), or_zero(fields.activation_scale)}});
+      formulas->direction.emplace(fields.direction);
+    for (const std::string &region : fields.regions)
+      formulas->regions.emplace_back(std::array<std::string, 3>{{region, "0", "0"}});
+    formulas_ = formulas;
   }
 
-  Material MaterialField::at(const dealii::Point<3> &x, unsigned int material_id) const
+  MaterialField::AtPoint MaterialField::at(const dealii::Point<3> &x, unsigned int material_id,
+                                           const std::optional<std::array<double, 3>> &along) const
   {
     TissueParameters tissue           = tissues_.at(material_id);
-    double           activation_scale = 1;
-    if (material_id == muscle_id)
+    double           activation_scale = 1, distance = 0;
+    unsigned int     region       = 0;
+    const auto       no_direction = [] {
+      constexpr double no = std::numeric_limits<double>::quiet_NaN();
+      return std::array<double, 3>{{no, no, no}};
+    };
+    if (material_id == muscle_id && along)
+      tissue.fibre.direction = unit_vector(*along).value_or(no_direction());
+    if (material_id == muscle_id && formulas_)
       {
+        const MuscleFormulas &formulas = *formulas_;
         if (!fields_.stress.empty())
-          tissue.fibre.sigma0 = (*scalars_)(0, x, 0);
+          tissue.fibre.sigma0 = formulas.scalars(0, x, 0);
         if (!fields_.fat.empty())
-          tissue.fat.fraction = (*scalars_)(1, x, 0);
+          tissue.fat.fraction = formulas.scalars(1, x, 0);
         if (!fields_.activation_scale.empty())
-          activation_scale = (*scalars_)(2, x, 0);
-        if (direction_)
+          activation_scale = formulas.scalars(2, x, 0);
+        if (formulas.direction)
           {
-            double square = 0;
-            for (unsigned int c = 0; c < 3; ++c)
-              {
-                tissue.fibre.direction[c] = (*direction_)(c, x, 0);
-                square += tissue.fibre.direction[c] * tissue.fibre.direction[c];
-              }
-            for (double &a : tissue.fibre.direction)
-              a /= std::sqrt(square);
+            const VectorFormula &a = *formulas.direction;
+            tissue.fibre.direction = unit_vector({{a(0, x, 0), a(1, x, 0), a(2, x, 0)}}).value_or(no_direction());
           }
+        for (unsigned int r = 0; r < formulas.regions.size(); ++r)
+          if (formulas.regions[r](0, x, 0) > 0)
+            region = r + 1;
       }
     if (fields_.table)
-      material_id = fields_.table->apply(x, tissues_, material_id, tissue, activation_scale);
+      {
+        const auto [row, away] = fields_.table->nearest(x);
+        distance               = away;
+        if (row.tissue && *row.tissue != material_id)
+          {
+            material_id = *row.tissue;
+            tissue      = tissues_.at(material_id);
+          }
+        tissue.fibre.direction = row.direction.value_or(tissue.fibre.direction);
+        if (material_id == muscle_id)
+          {
+            tissue.fibre.sigma0 = row.stress.value_or(tissue.fibre.sigma0);
+            tissue.fat.fraction = row.fat.value_or(tissue.fat.fraction);
+            activation_scale *= row.activation_scale.value_or(1);
+          }
+      }
     Material m = material(tissue);
     m[material_active] *= activation_scale;
     m[material_tissue] = material_id;
-    return m;
+    m[material_region] = region;
+    return {m, distance};
   }
 } // namespace myolines

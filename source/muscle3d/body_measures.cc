@@ -38,15 +38,17 @@ namespace myolines
       const Element &element_;
     };
 
-    void add_active_powers(const Muscle3dParameters &parameters, const double activation, const PointState &p, Powers &powers)
+    void add_active_powers(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, Powers &powers)
     {
+      const curves::FibreCurves curves = parameters.fibre_curves();
       if (p.material[material_active] == 0)
         return;
       const double lam   = p.isochoric_stretch;
-      const double power = p.JxW * p.material[material_active] * activation * curves::active(lam).value * p.isochoric_rate / lam;
+      const double power = p.JxW * p.material[material_active] * activation.at(p.material[material_region]) *
+                           curves::active(lam, &curves).value * p.isochoric_rate / lam;
       powers.active_power -= power;
       if (parameters.dynamic && parameters.muscle().fibre.force_velocity)
-        powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate).value - 1);
+        powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate, &curves).value - 1);
     }
 
     void add_load_powers(const Muscle3dSystem &system, const State &state, Powers &powers)
@@ -57,17 +59,18 @@ namespace myolines
       powers.body_force_power = system.loads().body_force_power(state.t, state.v);
     }
 
-    void add_energies(const Muscle3dParameters &parameters, const double activation, const PointState &p, BodyMeasures &m)
+    void add_energies(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, BodyMeasures &m)
     {
-      const double *material = p.material.data(), *C = material + material_yeoh;
-      const double  lam = p.isochoric_stretch, I1 = std::pow(p.J, -2. / 3) * p.F.norm_square() - 3, D = p.dilatation;
+      const curves::FibreCurves curves   = parameters.fibre_curves();
+      const double             *material = p.material.data(), *C = material + material_yeoh;
+      const double              lam = p.isochoric_stretch, I1 = std::pow(p.J, -2. / 3) * p.F.norm_square() - 3, D = p.dilatation;
       m.stored_volumetric += p.JxW * material[material_bulk] / 4 * (D * D - 2 * std::log(D) - 1);
       m.stored_base += p.JxW * I1 * (C[0] + I1 * (C[1] + I1 * C[2]));
-      m.stored_passive += p.JxW * material[material_passive] * curves::passive_energy(lam);
-      m.stored_tendinous += p.JxW * material[material_tendon] * curves::tendon_energy(lam);
+      m.stored_passive += p.JxW * material[material_passive] * curves::passive_energy(lam, &curves);
+      m.stored_tendinous += p.JxW * material[material_tendon] * curves::tendon_energy(lam, &curves);
       if (parameters.dynamic)
         m.kinetic += p.JxW * material[material_density] / 2 * p.velocity.norm_square();
-      if (activation != 0)
+      if (!activation.zero())
         add_active_powers(parameters, activation, p, m);
 
       const Matrix3        gradient = p.F - Matrix3(dealii::unit_symmetric_tensor<3>());
@@ -95,7 +98,7 @@ namespace myolines
   BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, const SlabRule rule)
   {
     const Muscle3dParameters &parameters = system.parameters();
-    const double              activation = system.activation(state.t);
+    const Activation          activation = system.activation(state.t);
     const Slab                slab(system, rule);
     BodyMeasures              m;
     m.min_jacobian = std::numeric_limits<double>::max();
@@ -137,9 +140,9 @@ namespace myolines
 
   Powers measure_powers(const Muscle3dSystem &system, const State &state)
   {
-    Powers       powers;
-    const double activation = system.activation(state.t);
-    if (activation != 0)
+    Powers           powers;
+    const Activation activation = system.activation(state.t);
+    if (!activation.zero())
       {
         PointStates(system, state).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
           add_active_powers(system.parameters(), activation, p, powers);

@@ -36,16 +36,6 @@ namespace myolines
         }
     }
 
-    unsigned int read_face(const Node &node, const std::vector<std::string> &faces)
-    {
-      const std::string name  = node.text("face");
-      const auto        found = std::find(faces.begin(), faces.end(), name);
-      if (found == faces.end())
-        node.refuse("face", "the body has no face \"" + name + "\"", "one of " + join(faces),
-                    "nearest: \"" + nearest_name(name, faces) + "\"");
-      return static_cast<unsigned int>(found - faces.begin());
-    }
-
     std::array<bool, 3> read_components(const Node &node)
     {
       std::array<bool, 3> chosen{{false, false, false}};
@@ -92,7 +82,7 @@ namespace myolines
       BoundaryCondition condition;
       condition.name         = node.name();
       condition.scene_path   = node.where("face");
-      condition.face         = read_face(node, face_names(geometry));
+      condition.face         = read_face(node, "face", face_names(geometry));
       const std::string type = node.text("type");
       if (type == "traction" || type == "pressure")
         {

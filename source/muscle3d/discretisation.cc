@@ -1,3 +1,4 @@
+#include <myolines/fem/potential.h>
 #include <myolines/muscle3d/discretisation.h>
 
 namespace myolines
@@ -41,6 +42,8 @@ namespace myolines
     space   = std::make_unique<NodeSpace>(mesh, parameters.degree);
     batches = std::make_unique<CellBatches>(*space, element);
     constrain(parameters, *space, constraints);
+    if (const auto &between = parameters.fields.laplace)
+      potential = std::make_unique<Vector>(laplace_potential(*space, between->from, between->to));
   }
 
   CellSweep::CellSweep(const Element &element, const CellBatches &batches, const PointMaterials &materials)
@@ -56,14 +59,15 @@ namespace myolines
             materials.stride(b), materials.muscle(b), materials.tendon(b),        static_cast<int>(batches.n_filled(b))};
   }
 
-  KernelModel kernel_model(const Muscle3dParameters &parameters, const double activation)
+  KernelModel kernel_model(const Muscle3dParameters &parameters, const Activation &activation)
   {
     KernelModel model;
     model.activation    = activation;
-    model.active        = parameters.activation != nullptr && activation != 0;
+    model.active        = parameters.active() && !activation.zero();
     model.rate          = model.active && parameters.dynamic && parameters.muscle().fibre.force_velocity;
     model.inertia       = parameters.dynamic;
     model.exact_tangent = parameters.exact_tangent;
+    model.curves        = parameters.fibre_curves();
     return model;
   }
 } // namespace myolines

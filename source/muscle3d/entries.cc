@@ -1,7 +1,9 @@
+#include <myolines/base/names.h>
+#include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/formula.h>
 
-#include <cmath>
+#include <algorithm>
 #include <sstream>
 
 namespace myolines
@@ -18,28 +20,43 @@ namespace myolines
       schema.text(prefix + axis, "0", what + ", " + axis + " component: a formula of x, y, z [m] and t [s].");
   }
 
+  std::string read_formula(const Node &node, const std::string &parameter, const std::string &variables)
+  {
+    const std::string text = node.text(parameter);
+    try
+      {
+        const VectorFormula formula(std::array<std::string, 3>{{text, "0", "0"}});
+      }
+    catch (const std::invalid_argument &error)
+      {
+        node.refuse(parameter, error.what(), "one expression of " + variables + ", e.g. \"1+0.1*sin(2*pi*x)\"");
+      }
+    return text;
+  }
+
   std::array<std::string, 3> read_formulas(const Node &node, const std::string &prefix)
   {
     std::array<std::string, 3> text;
     for (unsigned int c = 0; c < 3; ++c)
-      try
-        {
-          text[c] = node.text(prefix + axes[c]);
-          const VectorFormula formula(std::array<std::string, 3>{{text[c], "0", "0"}});
-        }
-      catch (const std::invalid_argument &error)
-        {
-          node.refuse(prefix + axes[c], error.what(), "one expression of x, y, z, t and pi, e.g. \"0.01*x*sin(2*pi*t)\"");
-        }
+      text[c] = read_formula(node, prefix + axes[c], "x, y, z, t and pi");
     return text;
+  }
+
+  unsigned int read_face(const Node &node, const std::string &parameter, const std::vector<std::string> &faces)
+  {
+    const std::string name  = node.text(parameter);
+    const auto        found = std::find(faces.begin(), faces.end(), name);
+    if (found == faces.end())
+      node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces),
+                  "nearest: \"" + nearest_name(name, faces) + "\"");
+    return static_cast<unsigned int>(found - faces.begin());
   }
 
   std::array<double, 3> unit_vector(const std::array<double, 3> &v, const Node &node, const std::string &parameter)
   {
-    const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    if (!(length > 0) || !std::isfinite(length))
-      node.refuse(parameter, "the direction has length " + std::to_string(length), "three finite numbers, not all zero");
-    return {{v[0] / length, v[1] / length, v[2] / length}};
+    if (const auto unit = unit_vector(v))
+      return *unit;
+    node.refuse(parameter, "the direction has no length", "three finite numbers, not all zero");
   }
 
   std::array<double, 3> read_direction(const Node &node, const std::string &parameter)

@@ -30,7 +30,7 @@ namespace myolines
   {
     PointStates                   states(system, state);
     const Muscle3dDiscretisation &d          = states.discretisation();
-    const double                  activation = system.activation(state.t);
+    const Activation              activation = system.activation(state.t);
     const dealii::QGauss<2>       rule(d.element.n_points_1d);
     dealii::FEFaceValues<3>       values(d.space->nodes().get_fe(), rule, dealii::update_normal_vectors | dealii::update_JxW_values);
 

@@ -15,8 +15,8 @@ namespace myolines
     /// A field that lives at quadrature points: how many numbers, and which.
     struct PointField
     {
-      std::string                                                                   name;
-      std::function<double(const Muscle3dParameters &, double, const PointState &)> value;
+      std::string                                                                               name;
+      std::function<double(const Muscle3dParameters &, const Activation &, const PointState &)> value;
     };
 
     Matrix3 cauchy(const Matrix3 &P, const PointState &p) { return P * transpose(p.F) / p.J; }
@@ -25,24 +25,31 @@ namespace myolines
     {
       using Parameters = Muscle3dParameters;
       static const std::vector<PointField> fields{
-          {"pressure", [](const Parameters &, double, const PointState &p) { return p.pressure; }},
-          {"dilatation", [](const Parameters &, double, const PointState &p) { return p.dilatation; }},
-          {"jacobian", [](const Parameters &, double, const PointState &p) { return p.J; }},
-          {"stretch", [](const Parameters &, double, const PointState &p) { return p.stretch; }},
-          {"strain rate", [](const Parameters &, double, const PointState &p) { return p.strain_rate; }},
-          {"pennation", [](const Parameters &, double, const PointState &p) { return p.pennation; }},
-          {"fibre direction x", [](const Parameters &, double, const PointState &p) { return p.fibre[0] / p.stretch; }},
-          {"fibre direction y", [](const Parameters &, double, const PointState &p) { return p.fibre[1] / p.stretch; }},
-          {"fibre direction z", [](const Parameters &, double, const PointState &p) { return p.fibre[2] / p.stretch; }},
-          {"active stress",
-           [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p)[muscle_active], p).norm(); }},
+          {"pressure", [](const Parameters &, const Activation &, const PointState &p) { return p.pressure; }},
+          {"dilatation", [](const Parameters &, const Activation &, const PointState &p) { return p.dilatation; }},
+          {"jacobian", [](const Parameters &, const Activation &, const PointState &p) { return p.J; }},
+          {"stretch", [](const Parameters &, const Activation &, const PointState &p) { return p.stretch; }},
+          {"strain rate", [](const Parameters &, const Activation &, const PointState &p) { return p.strain_rate; }},
+          {"pennation", [](const Parameters &, const Activation &, const PointState &p) { return p.pennation; }},
+          {"fibre direction x", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[0] / p.stretch; }},
+          {"fibre direction y", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[1] / p.stretch; }},
+          {"fibre direction z", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[2] / p.stretch; }},
+          {"active stress", [](const Parameters &m, const Activation &a,
+                               const PointState &p) { return cauchy(stress_parts(m, a, p)[muscle_active], p).norm(); }},
           {"passive stress",
-           [](const Parameters &m, double a, const PointState &p) {
+           [](const Parameters &m, const Activation &a, const PointState &p) {
              return cauchy(stress_parts(m, a, p)[passive_fibre_part(p.material_id)], p).norm();
            }},
-          {"base stress", [](const Parameters &m, double a,
+          {"base stress", [](const Parameters &m, const Activation &a,
                              const PointState &p) { return cauchy(stress_parts(m, a, p)[base_part(p.material_id)], p).norm(); }},
-          {"stress xx", [](const Parameters &m, double a, const PointState &p) { return cauchy(stress_parts(m, a, p).total(), p)[0][0]; }}};
+          {"tissue", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_tissue]; }},
+          {"fat fraction", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_fat]; }},
+          {"activation", [](const Parameters &, const Activation &a,
+                            const PointState &p) { return p.material[material_active] == 0 ? 0. : a.at(p.material[material_region]); }},
+          {"acoustic eigenvalue",
+           [](const Parameters &m, const Activation &a, const PointState &p) { return smallest_acoustic_eigenvalue(m, a, p); }},
+          {"stress xx",
+           [](const Parameters &m, const Activation &a, const PointState &p) { return cauchy(stress_parts(m, a, p).total(), p)[0][0]; }}};
       return fields;
     }
 
@@ -56,7 +63,7 @@ namespace myolines
 
       Vector values(target.locally_owned_dofs(), target.locally_owned_dofs(), target.get_communicator());
       std::vector<dealii::types::global_dof_index> numbers(fe.n_dofs_per_cell());
-      const double                                 activation = system.activation(state.t);
+      const Activation                             activation = system.activation(state.t);
       PointStates(system, state).for_each([&](const NodeSpace::Cell &cell, const int q, const PointState &p) {
         const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(),
                                                                          &target);

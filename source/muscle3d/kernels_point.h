@@ -86,7 +86,7 @@ namespace myolines
       I1           = power * dot(k.F, k.F);
       for (int i = 0; i < 9; ++i)
         Q[i] = T(2.) * power * k.F[i] - T(2. / 3.) * I1 * k.H[i];
-      base = yeoh(material, I1);
+      base = yeoh(material + material_yeoh, I1);
 
       T length(0.);
       for (int i = 0; i < 3; ++i)

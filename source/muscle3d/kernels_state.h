@@ -24,7 +24,7 @@ namespace myolines
       : t(tables)
       , m(model)
       , cells(cells)
-      , fibres{cells.muscle, cells.muscle && m.active, m.rate, cells.tendon, m.activation}
+      , fibres{cells.muscle, cells.muscle && m.active, m.rate, cells.tendon, &m.activation, &m.curves}
       , n_points(t.n_points_1d * t.n_points_1d * t.n_points_1d)
       , F(reinterpret_cast<T *>(scratch))
       , F_rate(F + 9 * n_points)

@@ -24,7 +24,7 @@ namespace myolines
     , v_(u_)
   {}
 
-  void Muscle3dLinearisation::refill(const Point &point, const double activation)
+  void Muscle3dLinearisation::refill(const Point &point, const Activation &activation)
   {
     model_ = kernel_model(parameters_, activation);
     u_     = point.u;
@@ -124,10 +124,10 @@ namespace myolines
     return multilevel_.get();
   }
 
-  Muscle3dLinearisation::LeanCells::LeanCells(const NodeSpace &space, const Muscle3dParameters &parameters)
-    : element(space.degree(), space.degree() + 1)
-    , batches(space, element)
-    , materials(parameters, batches, element)
+  Muscle3dLinearisation::LeanCells::LeanCells(const Muscle3dDiscretisation &d, const Muscle3dParameters &parameters)
+    : element(d.space->degree(), d.space->degree() + 1)
+    , batches(*d.space, element)
+    , materials(parameters, batches, element, d.potential.get())
   {}
 
   CellSweep Muscle3dLinearisation::lean_sweep() const
@@ -139,7 +139,7 @@ namespace myolines
   {
     const Muscle3dDiscretisation &d = discretisation_;
     if (d.element.n_points_1d > d.element.n_nodes_1d)
-      lean_ = std::make_unique<LeanCells>(*d.space, parameters_);
+      lean_ = std::make_unique<LeanCells>(d, parameters_);
     stars_     = std::make_unique<VertexStars>(*d.space, lean_sweep().batches, lean_sweep().element, d.constraints);
     two_level_ = std::make_unique<TwoLevel>(TwoLevel{stars_->patches(),
                                                      stars_->interpolation(),

@@ -22,7 +22,7 @@ namespace myolines
     Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
                           const PointMaterials &materials, WorkLedger &ledger);
 
-    void refill(const Point &point, double activation);
+    void refill(const Point &point, const Activation &activation);
 
     void                  apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
     bool                  action_is_cheap() const override { return true; }
@@ -45,7 +45,7 @@ namespace myolines
     /// Quadrature with as few points as keep the stiffness, for preconditioners of a richer one.
     struct LeanCells
     {
-      LeanCells(const NodeSpace &space, const Muscle3dParameters &parameters);
+      LeanCells(const Muscle3dDiscretisation &d, const Muscle3dParameters &parameters);
       const Element        element;
       const CellBatches    batches;
       const PointMaterials materials;

@@ -17,7 +17,8 @@ namespace myolines
     : parameters_(std::move(parameters))
     , ledger_(ledger)
     , discretisation_(std::move(discretisation))
-    , materials_(std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element))
+    , materials_(std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,
+                                                  discretisation_->potential.get()))
     , loads_(std::make_unique<Loads>(parameters_, *discretisation_))
   {
     // All ranks agree on what is wrong, that of the first rank that found something.
@@ -35,7 +36,8 @@ namespace myolines
     loads_.reset();
     dealii::GridTools::transform(map, discretisation_->mesh);
     discretisation_->set_up(parameters_);
-    materials_ = std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element);
+    materials_ = std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,
+                                                  discretisation_->potential.get());
     loads_     = std::make_unique<Loads>(parameters_, *discretisation_);
   }
 
@@ -43,7 +45,7 @@ namespace myolines
   {
     Capabilities c;
     c.inertia           = parameters_.dynamic;
-    c.rates             = parameters_.dynamic && parameters_.activation && parameters_.muscle().fibre.force_velocity;
+    c.rates             = parameters_.dynamic && parameters_.active() && parameters_.muscle().fibre.force_velocity;
     c.symmetric_tangent = !c.rates || !parameters_.exact_tangent;
     c.energy            = true;
     c.splits            = splits();
@@ -53,11 +55,6 @@ namespace myolines
   std::size_t Muscle3dSystem::n_unknowns() const { return discretisation_->space->owned_unknowns().size(); }
 
   std::size_t Muscle3dSystem::n_cells() const { return discretisation_->mesh.n_global_active_cells(); }
-
-  double Muscle3dSystem::activation(const double t, const Side side) const
-  {
-    return parameters_.activation ? parameters_.activation->value(t, side) : 0.;
-  }
 
   State Muscle3dSystem::initial_state(const double t0) const
   {
@@ -127,8 +124,8 @@ namespace myolines
     for (const BoundaryCondition &condition : parameters_.boundary)
       if (condition.drive())
         add(*condition.drive());
-    if (parameters_.activation)
-      add(*parameters_.activation);
+    for (const Drive *drive : parameters_.activation_drives())
+      add(*drive);
     std::sort(times.begin(), times.end());
     const double tolerance = 1e-12 * std::max(std::abs(t0), std::abs(t1));
     times.erase(std::unique(times.begin(), times.end(), [&](const double s, const double t) { return t - s <= tolerance; }), times.end());

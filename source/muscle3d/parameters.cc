@@ -1,4 +1,5 @@
 #include <myolines/base/names.h>
+#include <myolines/muscle3d/activation.h>
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/parameters.h>
 
@@ -18,6 +19,7 @@ namespace myolines
     Schema tissues_schema()
     {
       Schema tissues("Materials of the body.");
+      tissues.optional_section("curves", curves_schema());
       for (const TissueKind &kind : tissue_kinds())
         if (kind.id == muscle_id)
           tissues.section(kind.name, tissue_schema(kind));
@@ -37,9 +39,23 @@ namespace myolines
           .number("z", 0, "-", Range::any(), "z component.");
       Schema formula("a0 along a vector that varies in space, normalised point by point.");
       add_formulas(formula, "", "Direction");
+      Schema laplace(
+          "a0 along the gradient of the solution of Laplace's equation between two faces: fibres run from face to face and along "
+          "all others, Choi and Blemker (2013).");
+      laplace.text("from", std::nullopt, "Face where fibres begin, by a name of the geometry.")
+          .text("to", std::nullopt, "Face where they end.");
       return Schema("Fibre direction at rest, of the muscle.")
-          .variant("type", "pennation angle", {{"pennation angle", angle}, {"direction", direction}, {"formula", formula}},
+          .variant("type", "pennation angle",
+                   {{"pennation angle", angle}, {"direction", direction}, {"formula", formula}, {"laplace", laplace}},
                    "How the direction is given.");
+    }
+
+    FibresBetweenFaces read_laplace(const Node &fibres, const Geometry &geometry)
+    {
+      const FibresBetweenFaces between{read_face(fibres, "from", face_names(geometry)), read_face(fibres, "to", face_names(geometry))};
+      if (between.from == between.to)
+        fibres.refuse("to", "is the face where fibres begin, too", "another face");
+      return between;
     }
 
     /// Direction of the muscle fibres.
@@ -64,6 +80,8 @@ namespace myolines
         for (const unsigned int id : p.fields.table->tissues())
           of_body.push_back(tissue_kinds()[id - 1].name);
       p.tissues.clear();
+      if (lists.has("curves"))
+        p.curves = read_curves(lists.section("curves"));
       const std::array<double, 3> along = read_fibre_direction(system.section("fibres"), p.geometry);
       for (const TissueKind &kind : tissue_kinds())
         {
@@ -119,8 +137,8 @@ namespace myolines
         .section("fibres", fibres_schema())
         .optional_section("fields", fields_schema())
         .section("boundary", boundary_schema())
-        .optional_section("activation", drive_schema("activation", "-"))
         .optional_section("body force", force);
+    add_activation(system);
     return system;
   }
 
@@ -143,17 +161,12 @@ namespace myolines
       p.fields = read_fields(system.section("fields"));
     if (system.section("fibres").text("type") == "formula")
       p.fields.direction = read_formulas(system.section("fibres"), "");
+    if (system.section("fibres").text("type") == "laplace")
+      p.fields.laplace = read_laplace(system.section("fibres"), p.geometry);
     read_tissues(system, p);
     p.boundary = read_boundary(system.section("boundary"), p.geometry, p.dynamic);
 
-    if (system.has("activation"))
-      {
-        p.activation = make_drive(system.section("activation"));
-        // Filtered measurements overshoot 1 by a little.
-        refuse_values_outside(system.section("activation"), *p.activation, Range::closed(0, 1.1), "activation");
-      }
-    if (p.activation && p.activation->identically_zero())
-      p.activation = nullptr;
+    read_activation(system, p);
     if (system.has("body force"))
       p.body_force = read_formulas(system.section("body force"), "");
     return p;

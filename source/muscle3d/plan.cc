@@ -15,9 +15,13 @@ namespace myolines
     if (p.geometry.gmsh)
       lines = p.geometry.gmsh->report;
     lines.push_back(line("inertia", p.dynamic, p.dynamic ? "dynamic" : "quasi-static: no mass matrix is built"));
-    lines.push_back(line("active stress", p.activation != nullptr,
-                         p.activation ? "activation is given; skipped while it is zero up to the next event"
-                                      : "no activation, or an activation that is always zero"));
+    lines.push_back(line("active stress", p.active(),
+                         p.active() ? "activation is given; skipped while it is zero up to the next event"
+                                    : "no activation, or an activation that is always zero"));
+    if (!p.regions.empty())
+      lines.push_back(line("regions of activation", true, std::to_string(p.regions.size()) + ", each with a drive of its own"));
+    if (p.curves)
+      lines.push_back(line("curves of the thesis", false, "tissues/curves gives others"));
     lines.push_back(line("force-velocity", rates,
                          rates                              ? "dynamic and active"
                          : !p.dynamic                       ? "quasi-static: sV = 1"

@@ -1,5 +1,8 @@
 #include <myolines/muscle3d/point_materials.h>
 
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -33,16 +36,44 @@ namespace myolines
     }
   } // namespace
 
-  PointMaterials::PointMaterials(const Muscle3dParameters &parameters, const CellBatches &batches, const Element &element)
+  /// Gradients of a potential at the Gauss points of cells.
+  class PointMaterials::Gradients
   {
+  public:
+    Gradients(const Vector &potential, const dealii::FiniteElement<3> &fe, const Element &element)
+      : potential_(potential)
+      , values_(fe, dealii::QGauss<3>(element.n_points_1d), dealii::update_gradients)
+      , gradients_(element.n_points)
+    {}
+
+    void go_to(const NodeSpace::Cell &cell)
+    {
+      values_.reinit(cell);
+      values_.get_function_gradients(potential_, gradients_);
+    }
+
+    std::array<double, 3> at(const int q) const { return {{gradients_[q][0], gradients_[q][1], gradients_[q][2]}}; }
+
+  private:
+    const Vector                     &potential_;
+    dealii::FEValues<3>               values_;
+    std::vector<dealii::Tensor<1, 3>> gradients_;
+  };
+
+  PointMaterials::PointMaterials(const Muscle3dParameters &parameters, const CellBatches &batches, const Element &element,
+                                 const Vector *potential)
+  {
+    std::unique_ptr<Gradients> gradients;
+    if (potential != nullptr && batches.n_batches() > 0)
+      gradients = std::make_unique<Gradients>(*potential, batches.cell(0, 0)->get_fe(), element);
     const BodyFields             &fields = parameters.fields;
     const MaterialField           field(fields, parameters.tissues);
     std::map<unsigned int, Batch> uniform; // by material id
     for (unsigned int b = 0; b < batches.n_batches(); ++b)
       {
         const unsigned int id = batches.cell(b, 0)->material_id();
-        if (fields.table || (fields.formulas() && id == muscle_id))
-          add_field(field, batches, element, b, fields.table.get());
+        if (fields.table || (fields.within_muscle() && id == muscle_id))
+          add_field(field, batches, element, b, gradients.get());
         else
           {
             if (uniform.count(id) == 0)
@@ -60,7 +91,7 @@ namespace myolines
   }
 
   void PointMaterials::add_field(const MaterialField &field, const CellBatches &batches, const Element &element, const unsigned int b,
-                                 const PointProperties *table)
+                                 Gradients *gradients)
   {
     constexpr unsigned int stride = n_material_values * n_lanes;
     Batch                  batch{values_.size(), stride, false, false};
@@ -68,13 +99,18 @@ namespace myolines
     for (unsigned int lane = 0; lane < n_lanes; ++lane)
       {
         const NodeSpace::Cell &cell = batches.cell(b, lane);
+        if (gradients != nullptr)
+          gradients->go_to(cell);
         for (int q = 0; q < element.n_points; ++q)
           {
-            const dealii::Point<3> x = point_position(element, cell, q);
-            const Material         m = field.at(x, cell->material_id());
+            const dealii::Point<3>               x = point_position(element, cell, q);
+            std::optional<std::array<double, 3>> along;
+            if (gradients != nullptr)
+              along = gradients->at(q);
+            const auto [m, distance] = field.at(x, cell->material_id(), along);
             if (problem_.empty())
               problem_ = what_is_wrong(m, x);
-            if (table != nullptr && problem_.empty() && table->distance(x) > cell->diameter())
+            if (problem_.empty() && distance > cell->diameter())
               problem_ = "has no point within " + std::to_string(cell->diameter()) + " m of " + text_of(x);
             batch.muscle = batch.muscle || has_muscle(m);
             batch.tendon = batch.tendon || has_tendon(m);

@@ -5,7 +5,7 @@ namespace myolines
   PointStates::PointStates(const Muscle3dSystem &system, const State &state)
     : parameters_(system.parameters())
     , d_(system.discretisation())
-    , model_(kernel_model(parameters_, 0.))
+    , model_(kernel_model(parameters_, {}))
     , sweep_(system.sweep())
     , u_(state.u)
     , v_(state.v)
@@ -54,17 +54,7 @@ namespace myolines
     return p;
   }
 
-  namespace
-  {
-    /// dPsi/dI1 of a Yeoh law [Pa].
-    double slope(const YeohParameters &law, const double I1)
-    {
-      const double x = I1 - 3;
-      return law.scale * (law.c[0] + x * (2 * law.c[1] + x * 3 * law.c[2]));
-    }
-  } // namespace
-
-  Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, const double activation, const PointState &p)
+  Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p)
   {
     const KernelModel       model  = kernel_model(parameters, activation);
     const TissueParameters &tissue = parameters.tissue(p.material_id);
@@ -75,14 +65,16 @@ namespace myolines
     const double            fat = p.material[material_fat];
 
     Parts<Matrix3> parts;
-    parts[volumetric_part]                   = p.pressure * p.J * H;
-    parts[base_part(p.material_id)]          = (1 - fat) * slope(tissue.base, I1) * Q;
-    parts[passive_fibre_part(p.material_id)] = fibre_stress(p.material.data(), {true, false, false, true, 0.}, lam, 0.).g * G;
+    parts[volumetric_part]          = p.pressure * p.J * H;
+    parts[base_part(p.material_id)] = (1 - fat) * yeoh(tissue.base.coefficients().data(), I1).first * Q;
+    parts[passive_fibre_part(p.material_id)] =
+        fibre_stress(p.material.data(), {true, false, false, true, &activation, &model.curves}, lam, 0.).g * G;
     if (model.active)
-      parts[muscle_active] = p.material[material_active] * activation * curves::active(lam).value *
-                             (model.rate ? curves::force_velocity(p.isochoric_strain_rate).value : 1.) / lam * G;
+      parts[muscle_active] = p.material[material_active] * activation.at(p.material[material_region]) *
+                             curves::active(lam, &model.curves).value *
+                             (model.rate ? curves::force_velocity(p.isochoric_strain_rate, &model.curves).value : 1.) / lam * G;
     if (fat != 0)
-      parts[fat_part] = fat * slope(tissue.fat.base, I1) * Q;
+      parts[fat_part] = fat * yeoh(tissue.fat.base.coefficients().data(), I1).first * Q;
     return parts;
   }
 } // namespace myolines

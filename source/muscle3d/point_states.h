@@ -76,6 +76,10 @@ namespace myolines
     return material_id == muscle_id ? muscle_passive : material_id == aponeurosis_id ? aponeurosis_fibre : tendon_fibre;
   }
 
+  /// Smallest eigenvalue of the acoustic tensor Q_ab = dP_aA/dF_bB n_A n_B over all directions n of the reference body [Pa]: where it is
+  /// negative the material has lost its ellipticity, thesis 5.8.2. Rates are frozen; pressure and dilatation are taken point by point.
+  double smallest_acoustic_eigenvalue(const Muscle3dParameters &parameters, const Activation &activation, const PointState &point);
+
   /// Parts of the first Piola-Kirchhoff stress at a point [Pa].
-  Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, double activation, const PointState &point);
+  Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, const Activation &activation, const PointState &point);
 } // namespace myolines

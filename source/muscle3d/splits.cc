@@ -30,10 +30,12 @@ namespace myolines
     /// Why splits that leave the active stress explicit are refused where it depends on the strain rate; else empty.
     std::string why_refused(const Muscle3dParameters &p)
     {
-      if (!p.activation || !p.muscle().fibre.force_velocity)
+      if (!p.active() || !p.muscle().fibre.force_velocity)
         return "";
-      const FibreParameters &fibre = p.muscle().fibre;
-      const double       viscosity = fibre.sigma0 * curves::active(1.).value * curves::force_velocity(0.).slope / fibre.maximum_strain_rate;
+      const FibreParameters    &fibre  = p.muscle().fibre;
+      const curves::FibreCurves curves = p.fibre_curves();
+      const double              viscosity =
+          fibre.sigma0 * curves::active(1., &curves).value * curves::force_velocity(0., &curves).slope / fibre.maximum_strain_rate;
       std::ostringstream text;
       text.precision(2);
       text << "it leaves the force-velocity relation explicit, a viscosity of " << viscosity
@@ -86,6 +88,8 @@ namespace myolines
       return nullptr;
     Muscle3dParameters part = parameters_;
     part.activation         = nullptr;
+    for (ActivationRegion &region : part.regions)
+      region.activation = nullptr;
     if (split != "all but active")
       {
         part.body_force.reset();

@@ -85,7 +85,7 @@ namespace myolines
       if (series.boolean("gearing"))
         files.push_back(gearing_file(folder, p));
       if (series.boolean("activation and length"))
-        files.push_back(activation_file(folder));
+        files.push_back(activation_file(folder, p));
       if (const std::vector<double> places = read_strain_places(series); !places.empty())
         files.push_back(strain_file(folder, system, places));
       if (const std::vector<Marker> markers = read_markers(series); !markers.empty())

@@ -219,12 +219,18 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder)
+  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
   {
-    return make_series_file(folder, "activation_muscle_length-3d.csv", {"Time [s]", "Activation (%)", "Muscle length [m]"},
-                            [](const Muscle3dSample &sample) {
-                              return std::vector<double>{sample.t(), 100 * sample.activation(), sample.muscle_length()};
-                            });
+    std::vector<std::string> columns{"Time [s]", "Activation (%)", "Muscle length [m]"};
+    for (const ActivationRegion &region : parameters.regions)
+      columns.push_back("Activation of " + region.name + " (%)");
+    return make_series_file(folder, "activation_muscle_length-3d.csv", columns, [](const Muscle3dSample &sample) {
+      const Activation    a = sample.activation();
+      std::vector<double> row{sample.t(), 100 * a.level[0], sample.muscle_length()};
+      for (int r = 1; r < a.n_regions; ++r)
+        row.push_back(100 * a.level[r]);
+      return row;
+    });
   }
 
   std::unique_ptr<SeriesFile> displacements_file(const OutputFolder &folder, std::shared_ptr<const MarkerProbe> probe)

@@ -67,7 +67,7 @@ namespace myolines
     return forces_[face];
   }
 
-  double Muscle3dSample::activation() const { return system_.activation(state_.t, side_); }
+  Activation Muscle3dSample::activation() const { return system_.activation(state_.t, side_); }
 
   double Muscle3dSample::muscle_length() const
   {

@@ -19,6 +19,7 @@ namespace myolines
       std::string  tissue = "muscle"; ///< of all cells
       double       fat    = 0;
       bool         fields = false; ///< everything varies in space
+      bool         smooth = false; ///< smooth curves, two regions of activation
     };
 
     void PrintTo(const Case &c, std::ostream *out) { *out << c.name; }
@@ -32,7 +33,8 @@ namespace myolines
                             {"quasi_static", 2, 3, false, true},
                             {"passive", 2, 3, true, false},
                             {"fat", 2, 3, true, true, "muscle", 0.3},
-                            {"fields", 2, 3, true, true, "muscle", 0, true}};
+                            {"fields", 2, 3, true, true, "muscle", 0, true},
+                            {"smooth_curves_and_regions", 2, 3, true, true, "muscle", 0, false, true}};
       for (const TissueKind &kind : tissue_kinds())
         if (kind.id != muscle_id)
           all.push_back({kind.name, 2, 3, true, false, kind.name});
@@ -91,6 +93,12 @@ namespace myolines
             p.fields.activation_scale = "1-20*z";
             p.fields.direction        = {{"0.87", "0.1+x", "0.47-2*y"}};
           }
+        if (GetParam().smooth)
+          {
+            p.curves         = std::make_shared<CurveSet>(smooth_curves());
+            p.regions        = {{"end", std::make_shared<test::ConstantDrive>(0.2)}};
+            p.fields.regions = {"x-0.01"};
+          }
         return p;
       }
 
@@ -137,7 +145,7 @@ namespace myolines
       const auto                   &d   = system_.discretisation();
       double                        low = 1e9, high = 0, slowest = -1e9, fastest = 1e9;
       dealii::AlignedVector<double> values(std::size_t(d.element.n_points) * n_point_values * n_lanes);
-      const KernelModel             model = kernel_model(system_.parameters(), 0.7);
+      const KernelModel             model = kernel_model(system_.parameters(), system_.activation(0));
       const CellSweep               sweep = system_.sweep();
       const dealii::Tensor<1, 3>    a0({system_.parameters().muscle().fibre.direction[0], system_.parameters().muscle().fibre.direction[1],
                                         system_.parameters().muscle().fibre.direction[2]});
@@ -174,7 +182,8 @@ namespace myolines
     {
       if (GetParam().dynamic && GetParam().active)
         {
-          EXPECT_LT(error(system_, {0, 1, 0}), 1e-8);
+          // Differences reach over knots of the splines, where third derivatives jump.
+          EXPECT_LT(error(system_, {0, 1, 0}), GetParam().smooth ? 1e-7 : 1e-8);
         }
       else
         {
@@ -257,11 +266,11 @@ namespace myolines
             Muscle3dDiscretisation d(system_.parameters(), MPI_COMM_WORLD, set);
             dealii::GridTools::transform(distort, d.mesh);
             d.set_up(system_.parameters());
-            const PointMaterials materials(system_.parameters(), *d.batches, d.element);
+            const PointMaterials materials(system_.parameters(), *d.batches, d.element, nullptr);
             const CellSweep      sweep = d.sweep(materials);
             Vector               s(r);
             s                       = 0;
-            const KernelModel model = kernel_model(system_.parameters(), GetParam().active ? 0.7 : 0);
+            const KernelModel model = kernel_model(system_.parameters(), system_.activation(0));
             State             state = state_;
             for (Vector *x : {&state.u, &state.v, &state.a})
               x->update_ghost_values();

@@ -15,11 +15,54 @@ namespace myolines::curves
     T slope;
   };
 
+  /// A curve of the user: cubics c0 + c1 x + c2 x^2 + c3 x^3 of x = s - s_i from each of n ascending knots s_i to the next, beyond the last
+  /// one too; before the first one its row n holds, with x = s - s_0. Borrowed; see CurveSet.
+  struct Pieces
+  {
+    int           n = 0; ///< 0: the curve of the thesis holds
+    const double *knots;
+    const double (*cubics)[4]; ///< [n + 1]
+  };
+  struct FibreCurves
+  {
+    Pieces active, passive, force_velocity, tendon;
+  };
+
+  MYOLINES_INLINE Curve<double> evaluate(const Pieces &pieces, const double &s)
+  {
+    int low = -1, high = pieces.n; // knots[low] <= s < knots[high]
+    while (high - low > 1)
+      {
+        const int middle                        = (low + high) / 2;
+        (s < pieces.knots[middle] ? high : low) = middle;
+      }
+    const double *c = pieces.cubics[low < 0 ? pieces.n : low];
+    const double  x = s - pieces.knots[low < 0 ? 0 : low];
+    return {((c[3] * x + c[2]) * x + c[1]) * x + c[0], (3 * c[3] * x + 2 * c[2]) * x + c[1]};
+  }
+  /// Lane by lane.
+  template <typename T>
+  MYOLINES_INLINE Curve<T> evaluate(const Pieces &pieces, const T &s)
+  {
+    Curve<T> result;
+    for (int lane = 0; lane < n_lanes; ++lane)
+      {
+        const Curve<double> one = evaluate(pieces, double(s[lane]));
+        result.value.set(lane, one.value);
+        result.slope.set(lane, one.slope);
+      }
+    return result;
+  }
+
+  // Below, @p user may be nullptr: the curve of the thesis.
+
   /// Active stress against isochoric stretch [-], (A.2.1), Konno: sum of 7 sines on [0.4, 1.75], zero elsewhere.
   /// Jumps by -4.3e-3 at 0.4 and 2.9e-3 at 1.75; 0.994100 at stretch 1.
   template <typename T>
-  MYOLINES_INLINE Curve<T> active(const T &stretch)
+  MYOLINES_INLINE Curve<T> active(const T &stretch, const FibreCurves *user = nullptr)
   {
+    if (user != nullptr && user->active.n > 0)
+      return evaluate(user->active, stretch);
     constexpr double c[7] = {0.642587, 0.325980, 0.328204, 0.015389, 0.139240, 0.001802, 0.012561};
     constexpr double a[7] = {1.290128, 5.308970, 6.744187, 19.823677, 8.038287, 32.237736, 23.117614};
     constexpr double b[7] = {0.629168, -4.520102, 1.689156, -7.386155, 2.543022, -6.454098, -2.643347};
@@ -36,8 +79,10 @@ namespace myolines::curves
 
   /// Passive stress against isochoric stretch [-], (A.2.2): zero to 1, quadratics with knots 1, 1.25, 1.5, linear beyond 1.65.
   template <typename T>
-  MYOLINES_INLINE Curve<T> passive(const T &stretch)
+  MYOLINES_INLINE Curve<T> passive(const T &stretch, const FibreCurves *user = nullptr)
   {
+    if (user != nullptr && user->passive.n > 0)
+      return evaluate(user->passive, stretch);
     const T    x0 = select(stretch <= T(1.25), T(1.), select(stretch <= T(1.5), T(1.25), select(stretch <= T(1.65), T(1.5), T(1.65))));
     const auto by_piece = [&](const double p1, const double p2, const double p3, const double p4) {
       return select(stretch <= T(1.), T(0.),
@@ -51,13 +96,15 @@ namespace myolines::curves
   }
 
   /// Integral of passive(s)/s from 1 to the stretch [-]: stored energy of the passive fibre over sigma0. Continuous.
-  double passive_energy(double stretch);
+  double passive_energy(double stretch, const FibreCurves *user = nullptr);
 
   /// Force-velocity factor against strain rate e [-] (negative: shortening), (A.2.3), Ross et al.: zero below -1.2, cubics
   /// with knots -0.25, 0, 0.05, constant 1.595047 above 0.75; slope 6.09 at 0.
   template <typename T>
-  MYOLINES_INLINE Curve<T> force_velocity(const T &e)
+  MYOLINES_INLINE Curve<T> force_velocity(const T &e, const FibreCurves *user = nullptr)
   {
+    if (user != nullptr && user->force_velocity.n > 0)
+      return evaluate(user->force_velocity, e);
     const auto by_piece = [&](const double p0, const double p1, const double p2, const double p3, const double p4, const double p5) {
       return select(e < T(-1.2), T(p0),
                     select(e <= T(-0.25), T(p1), select(e < T(0.), T(p2), select(e <= T(0.05), T(p3), select(e < T(0.75), T(p4), T(p5))))));
@@ -73,8 +120,10 @@ namespace myolines::curves
   /// Stress of tendon and aponeurosis against isochoric stretch [-], (A.2.4), Dick: 0.01 stretch below 1, quadratics with knots 1, 1.01,
   /// 1.02, linear beyond 1.15. Not zero at rest: 0.01. Slopes are continuous to 3e-7.
   template <typename T>
-  MYOLINES_INLINE Curve<T> tendon(const T &stretch)
+  MYOLINES_INLINE Curve<T> tendon(const T &stretch, const FibreCurves *user = nullptr)
   {
+    if (user != nullptr && user->tendon.n > 0)
+      return evaluate(user->tendon, stretch);
     const T    x0       = select(stretch < T(1.), T(0.),
                                  select(stretch < T(1.01), T(1.), select(stretch < T(1.02), T(1.01), select(stretch < T(1.15), T(1.02), T(1.15)))));
     const auto by_piece = [&](const double p0, const double p1, const double p2, const double p3, const double p4) {
@@ -89,5 +138,5 @@ namespace myolines::curves
   }
 
   /// Integral of tendon(s)/s from 1 to the stretch [-]. Continuous.
-  double tendon_energy(double stretch);
+  double tendon_energy(double stretch, const FibreCurves *user = nullptr);
 } // namespace myolines::curves

@@ -19,16 +19,45 @@ namespace myolines
     material_slowness  = 11, ///< 1/e0 [s]
     material_fat       = 12, ///< f [-], for the parts of the stress
     material_tissue    = 13, ///< material id of the tissue, for the parts of the stress
-    n_material_values  = 14
+    material_region    = 14, ///< number of the region of activation
+    n_material_values  = 15
   };
+
+  /// Activation of the regions of a body, in [0, 1]; region 0 is all that no other region covers.
+  constexpr int max_regions = 16;
+  struct Activation
+  {
+    int    n_regions          = 1;
+    double level[max_regions] = {};
+
+    bool zero() const
+    {
+      for (int r = 0; r < n_regions; ++r)
+        if (level[r] != 0)
+          return false;
+      return true;
+    }
+
+    /// Of the region of a point, or of those of lanes.
+    template <typename T>
+    MYOLINES_INLINE T at(const T &region) const
+    {
+      T a(level[0]);
+      for (int r = 1; r < n_regions; ++r)
+        a = select(region > T(r - 0.5), T(level[r]), a);
+      return a;
+    }
+  };
+
   /// Terms of the fibre stress that some point of a batch may have.
   struct FibreTerms
   {
-    bool   muscle;     ///< passive muscle fibres
-    bool   active;     ///< active stress; only with muscle
-    bool   rate;       ///< active stress depends on the strain rate
-    bool   tendon;     ///< tendon fibres
-    double activation; ///< a, in [0, 1]
+    bool                       muscle; ///< passive muscle fibres
+    bool                       active; ///< active stress; only with muscle
+    bool                       rate;   ///< active stress depends on the strain rate
+    bool                       tendon; ///< tendon fibres
+    const Activation          *activation;
+    const curves::FibreCurves *curves; ///< nullptr: those of the thesis
   };
 
   /// Fibre stress over stretch, g = sigma_f/lam [Pa], and its derivatives; the model every fibre part reduces to.
@@ -47,24 +76,24 @@ namespace myolines
     T stress(0.), d_stretch(0.), d_rate(0.);
     if (terms.muscle)
       {
-        const curves::Curve<T> passive = curves::passive(lam);
+        const curves::Curve<T> passive = curves::passive(lam, terms.curves);
         stress                         = material[material_passive] * passive.value;
         d_stretch                      = material[material_passive] * passive.slope;
       }
     if (terms.active)
       {
-        const curves::Curve<T> active = curves::active(lam);
-        const T                scale  = material[material_active] * T(terms.activation);
+        const curves::Curve<T> active = curves::active(lam, terms.curves);
+        const T                scale  = material[material_active] * terms.activation->at(material[material_region]);
         curves::Curve<T>       velocity{T(1.), T(0.)};
         if (terms.rate)
-          velocity = curves::force_velocity(e);
+          velocity = curves::force_velocity(e, terms.curves);
         stress += scale * active.value * velocity.value;
         d_stretch += scale * active.slope * velocity.value;
         d_rate = scale * active.value * velocity.slope;
       }
     if (terms.tendon)
       {
-        const curves::Curve<T> tendon = curves::tendon(lam);
+        const curves::Curve<T> tendon = curves::tendon(lam, terms.curves);
         stress += material[material_tendon] * tendon.value;
         d_stretch += material[material_tendon] * tendon.slope;
       }
@@ -72,7 +101,7 @@ namespace myolines
     return {inverse * stress, inverse * (d_stretch - inverse * stress), inverse * d_rate};
   }
 
-  /// First and second derivative of the isotropic energy with respect to I1 [Pa].
+  /// First and second derivative of the isotropic energy sum C_k (I1 - 3)^k, k from 1, with respect to I1 [Pa]; @p C has 3.
   template <typename T>
   struct YeohDerivatives
   {
@@ -80,10 +109,9 @@ namespace myolines
     T second;
   };
   template <typename T>
-  MYOLINES_INLINE YeohDerivatives<T> yeoh(const T *material, const T &I1)
+  MYOLINES_INLINE YeohDerivatives<T> yeoh(const T *C, const T &I1)
   {
-    const T *C = material + material_yeoh;
-    const T  x = I1 - T(3.);
+    const T x = I1 - T(3.);
     return {C[0] + x * (T(2.) * C[1] + x * T(3.) * C[2]), T(2.) * C[1] + x * T(6.) * C[2]};
   }
 } // namespace myolines

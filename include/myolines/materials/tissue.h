@@ -4,6 +4,7 @@
 #include <myolines/scene/scene.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,13 @@ namespace myolines
   {
     double scale = 2e5; ///< s sigma0 [Pa]
     double c[3]  = {0.1990559575103343, 0.3662334826469149, 0};
+
+    /// C_k = scale c_k [Pa]
+    std::array<double, 3> coefficients() const { return {{scale * c[0], scale * c[1], scale * c[2]}}; }
   };
+
+  /// v over its length; nothing if that is zero or not finite.
+  std::optional<std::array<double, 3>> unit_vector(const std::array<double, 3> &v);
 
   /// What fibres do.
   enum class FibreLaw

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <myolines/muscle1d/activation.h>
 #include <myolines/muscle1d/hill_force.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/semi_discrete_system.h>
+#include <myolines/system/zajac.h>
 
 #include <limits>
 #include <memory>

@@ -1,16 +1,18 @@
 #pragma once
 
 #include <myolines/materials/tissue.h>
-#include <myolines/muscle3d/formula.h>
 #include <myolines/scene/scene.h>
 
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace myolines
 {
@@ -24,12 +26,16 @@ namespace myolines
     explicit PointProperties(const std::filesystem::path &file);
     ~PointProperties();
 
-    /// Changes what the file knows of the tissue at @p x; returns the material id there.
-    unsigned int apply(const dealii::Point<3> &x, const std::map<unsigned int, TissueParameters> &tissues, unsigned int material_id,
-                       TissueParameters &tissue, double &activation_scale) const;
-    /// Distance from @p x to the nearest row [m].
-    double distance(const dealii::Point<3> &x) const;
-    bool   has_fat() const;
+    /// What the file knows of a place; nothing where it has no such column.
+    struct Row
+    {
+      std::optional<double>                stress, fat, activation_scale;
+      std::optional<std::array<double, 3>> direction; ///< unit
+      std::optional<unsigned int>          tissue;    ///< material id
+    };
+    /// The row nearest to @p x, and its distance [m].
+    std::pair<const Row &, double> nearest(const dealii::Point<3> &x) const;
+    bool                           has_fat() const;
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;
     const std::filesystem::path     &file() const;
@@ -39,6 +45,12 @@ namespace myolines
     std::unique_ptr<Table> table_;
   };
 
+  /// Fibres along the gradient of a potential that is 0 on one face and 1 on another.
+  struct FibresBetweenFaces
+  {
+    unsigned int from, to; ///< boundary ids
+  };
+
   /// What varies within the body: formulas of x, y, z for muscle, and a table for all tissues, which comes last.
   struct BodyFields
   {
@@ -46,10 +58,17 @@ namespace myolines
     std::string                            fat;              ///< fat fraction; likewise
     std::string                            activation_scale; ///< factor of the activation; "": 1
     std::array<std::string, 3>             direction;        ///< fibre direction, to be normalised; "": that of the tissue
+    std::vector<std::string>               regions; ///< of activation: places where the formula is positive; later ones cover earlier
+    std::optional<FibresBetweenFaces>      laplace;
     std::shared_ptr<const PointProperties> table;
 
-    bool formulas() const { return !stress.empty() || !fat.empty() || !activation_scale.empty() || !direction[0].empty(); }
-    bool any() const { return formulas() || table; }
+    bool formulas() const
+    {
+      return !stress.empty() || !fat.empty() || !activation_scale.empty() || !direction[0].empty() || !regions.empty();
+    }
+    /// Whether the muscle differs from place to place, table aside.
+    bool within_muscle() const { return formulas() || laplace; }
+    bool any() const { return within_muscle() || table; }
     bool has_fat() const { return !fat.empty() || (table && table->has_fat()); }
   };
 
@@ -62,11 +81,20 @@ namespace myolines
   {
   public:
     MaterialField(const BodyFields &fields, const std::map<unsigned int, TissueParameters> &tissues);
-    Material at(const dealii::Point<3> &x, unsigned int material_id) const;
+
+    struct AtPoint
+    {
+      Material material;
+      double   distance; ///< to the row of the table [m]; 0 without one
+    };
+    /// @p along: direction of the muscle fibres that the potential gives, any length.
+    AtPoint at(const dealii::Point<3> &x, unsigned int material_id, const std::optional<std::array<double, 3>> &along) const;
 
   private:
+    struct MuscleFormulas;
+
     const BodyFields                               &fields_;
     const std::map<unsigned int, TissueParameters> &tissues_;
-    std::optional<VectorFormula>                    direction_, scalars_;
+    std::shared_ptr<const MuscleFormulas>           formulas_; ///< none if there are none
   };
 } // namespace myolines

@@ -36,6 +36,7 @@ namespace myolines
     Element                      element;
     std::unique_ptr<CellBatches> batches;
     Constraints                  constraints;
+    std::unique_ptr<Vector>      potential; ///< of fibres between faces
     InstructionSet               instruction_set;
     const Kernels               &kernels;
     KernelTables                 tables;
@@ -53,5 +54,5 @@ namespace myolines
   };
 
   /// The physics of the kernels at an instant with the given activation.
-  KernelModel kernel_model(const Muscle3dParameters &parameters, double activation);
+  KernelModel kernel_model(const Muscle3dParameters &parameters, const Activation &activation);
 } // namespace myolines

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace myolines
 {
@@ -14,8 +15,12 @@ namespace myolines
 
   /// Declares three formulas of x, y, z [m] and t [s], named prefix + axis, default "0".
   void add_formulas(scene::Schema &schema, const std::string &prefix, const std::string &what);
-  /// @throws InputError for what is not one formula.
+  /// The text of @p parameter. @throws InputError for what is not one formula of @p variables.
+  std::string read_formula(const scene::Node &node, const std::string &parameter, const std::string &variables = "x, y, z and pi");
   std::array<std::string, 3> read_formulas(const scene::Node &node, const std::string &prefix);
+
+  /// Number of the face that @p parameter names. @throws InputError with the nearest one.
+  unsigned int read_face(const scene::Node &node, const std::string &parameter, const std::vector<std::string> &faces);
 
   /// v over its length. @throws InputError at @p parameter if that is zero or not finite.
   std::array<double, 3> unit_vector(const std::array<double, 3> &v, const scene::Node &node, const std::string &parameter);

@@ -24,11 +24,12 @@ namespace myolines
   /// The physics of all batches at one instant.
   struct KernelModel
   {
-    double activation;
-    bool   active;        ///< active stress takes part
-    bool   rate;          ///< ... and depends on the strain rate
-    bool   inertia;       ///< M a takes part
-    bool   exact_tangent; ///< else its symmetric part
+    Activation          activation;
+    bool                active;        ///< active stress takes part
+    bool                rate;          ///< ... and depends on the strain rate
+    bool                inertia;       ///< M a takes part
+    bool                exact_tangent; ///< else its symmetric part
+    curves::FibreCurves curves;        ///< of the user, where there are any; borrowed
   };
 
   /// One batch of cells (see CellBatches and PointMaterials); borrowed.

@@ -48,7 +48,7 @@ namespace myolines
     CellSweep                     sweep() const; ///< of the kernels over the body
     std::size_t                   n_cells() const;
     /// Activation at time t, 0 without one.
-    double activation(double t, Side side = Side::left) const;
+    Activation activation(double t, Side side = Side::left) const { return parameters_.activation_at(t, side); }
 
     /// Moves every vertex of the reference mesh by @p map; states and implicit parts made before are void.
     void move_mesh(const std::function<dealii::Point<3>(const dealii::Point<3> &)> &map);

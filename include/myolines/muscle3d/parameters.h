@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/materials/curve_set.h>
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/body_fields.h>
 #include <myolines/muscle3d/boundary.h>
@@ -15,6 +16,13 @@
 
 namespace myolines
 {
+  /// A part of the body with an activation of its own.
+  struct ActivationRegion
+  {
+    std::string                  name;
+    std::shared_ptr<const Drive> activation; ///< nullptr: none
+  };
+
   struct Muscle3dParameters
   {
     bool                                      dynamic       = true;
@@ -25,12 +33,21 @@ namespace myolines
     std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}}; ///< of the cells, by material id
     BodyFields                                fields;
     std::vector<BoundaryCondition>            boundary;
-    std::shared_ptr<const Drive>              activation; ///< nullptr: no activation in the scene, no active stress
+    std::shared_ptr<const CurveSet>           curves;     ///< nullptr: those of the thesis
+    std::shared_ptr<const Drive>              activation; ///< of all but the regions; nullptr: none
+    std::vector<ActivationRegion>             regions;    ///< at most max_regions - 1, places in fields.regions
     std::optional<std::array<std::string, 3>> body_force; ///< per reference volume [N/m^3], formulas of x, y, z, t
 
     const TissueParameters &tissue(const unsigned int material_id) const { return tissues.at(material_id); }
     TissueParameters       &muscle() { return tissues.at(muscle_id); }
     const TissueParameters &muscle() const { return tissues.at(muscle_id); }
+    /// Whether there may be active stress at some time.
+    bool active() const;
+    /// At time t.
+    Activation activation_at(double t, Side side) const;
+    /// All drives of the activation.
+    std::vector<const Drive *> activation_drives() const;
+    curves::FibreCurves        fibre_curves() const { return curves ? curves->view() : curves::FibreCurves{}; }
     /// Whether there may be fat somewhere.
     bool has_fat() const { return muscle().fat.fraction != 0 || fields.has_fat(); }
     /// Length of the longest straight fibre at rest [m], the L_f0 of thesis (7.2.1).

@@ -15,7 +15,8 @@ namespace myolines
   class PointMaterials
   {
   public:
-    PointMaterials(const Muscle3dParameters &parameters, const CellBatches &batches, const Element &element);
+    /// @p potential: of the space of the batches, for fibres between faces; else nullptr.
+    PointMaterials(const Muscle3dParameters &parameters, const CellBatches &batches, const Element &element, const Vector *potential);
 
     /// n_material_values lanes of point q stand at values(b) + q * stride(b).
     const double *values(const unsigned int b) const { return &values_[batches_[b].first]; }
@@ -36,8 +37,8 @@ namespace myolines
       bool         muscle, tendon;
     };
 
-    void add_field(const MaterialField &field, const CellBatches &batches, const Element &element, unsigned int b,
-                   const PointProperties *table);
+    class Gradients;
+    void add_field(const MaterialField &field, const CellBatches &batches, const Element &element, unsigned int b, Gradients *gradients);
 
     dealii::AlignedVector<double> values_;
     std::vector<Batch>            batches_;

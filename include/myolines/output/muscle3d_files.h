@@ -35,7 +35,7 @@ namespace myolines
   std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
   std::unique_ptr<SeriesFile> stretch_file(const OutputFolder &folder);
   std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
-  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder);
+  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
   std::unique_ptr<SeriesFile> displacements_file(const OutputFolder &folder, std::shared_ptr<const MarkerProbe> probe);
 
   // Ours.

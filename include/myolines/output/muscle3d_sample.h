@@ -36,9 +36,9 @@ namespace myolines
     const std::vector<Reaction>       &reactions() const;
     const Parts<dealii::Tensor<1, 3>> &face_force(unsigned int face) const;
 
-    double activation() const;       ///< [-], on the side of the state at a kink
-    double muscle_length() const;    ///< distance along x between the centres of the end faces [m]
-    double force_face_speed() const; ///< x component of the velocity of the centre of the force face [m/s]
+    Activation activation() const;       ///< [-], on the side of the state at a kink
+    double     muscle_length() const;    ///< distance along x between the centres of the end faces [m]
+    double     force_face_speed() const; ///< x component of the velocity of the centre of the force face [m/s]
 
   private:
     const Muscle3dSystem &system_;

@@ -1,4 +1,4 @@
-#include <myolines/muscle1d/activation.h>
+#include <myolines/system/zajac.h>
 
 #include <algorithm>
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+
+namespace myolines
+{
+  struct Muscle3dParameters;
+
+  /// Declares the lists `activation`, `excitation` (from which the activation follows by Zajac's equation) and `activation regions`, and
+  /// reads them. @throws InputError for values outside [0, 1] and for what is given twice.
+  void add_activation(scene::Schema &system);
+  void read_activation(const scene::Node &system, Muscle3dParameters &parameters);
+} // namespace myolines

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace myolines::scene
+{
+  /// Comma-separated values (RFC 4180) under a line of names.
+  struct CsvTable
+  {
+    std::filesystem::path                 file;
+    std::vector<std::string>              header;
+    std::vector<std::vector<std::string>> rows;  ///< each as long as the header
+    std::vector<unsigned int>             lines; ///< of the file that rows begin in, from 1
+
+    /// Index of the column with that name; nothing if there is none.
+    std::optional<std::size_t> column(const std::string &name) const;
+    /// The same. @throws InputError with the nearest name.
+    std::size_t required_column(const std::string &name) const;
+    /// The finite numbers of a column. @throws InputError that names the line.
+    std::vector<double> numbers(std::size_t column) const;
+    /// "FILE, line 3"
+    std::string where(std::size_t row) const;
+  };
+
+  /// A file that a program writes line by line: a last line that was not finished is left out. Nothing if the file cannot be read or a row
+  /// has not as many fields as the header.
+  std::optional<CsvTable> read_csv(const std::filesystem::path &file);
+
+  /// A file that a person gives: white space around fields and empty lines are left out. @throws InputError for what is no table.
+  CsvTable read_csv_input(const std::filesystem::path &file);
+} // namespace myolines::scene
