@@ -152,6 +152,8 @@ namespace myolines
   {
     const scene::Node &time = scene_.section("time");
     State state = resumed_ ? *resumed_ : starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
+    if (!resumed_ && starts_from_equilibrium(time))
+      start_from_equilibrium({*assembled_.system, nonlinear_, boundary_rates(time), ledger_}, state);
     CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
                             {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_),
                              [this] { nonlinear_.forget(); }, stop_signal},

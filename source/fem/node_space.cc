@@ -28,7 +28,22 @@ namespace myolines
     mesh.refine_global(refinement);
   }
 
-  NodeSpace::NodeSpace(const Mesh &mesh, const unsigned int degree)
+  namespace
+  {
+    dealii::types::global_dof_index lowest_vertex(const dealii::DoFHandler<3> &nodes, const dealii::types::boundary_id id)
+    {
+      auto lowest = nodes.n_dofs();
+      for (const NodeSpace::Cell &cell : nodes.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && face->boundary_id() == id)
+              for (unsigned int v = 0; v < 4; ++v)
+                lowest = std::min(lowest, face->vertex_dof_index(v, 0));
+      return dealii::Utilities::MPI::min(lowest, nodes.get_communicator());
+    }
+  } // namespace
+
+  NodeSpace::NodeSpace(const Mesh &mesh, const unsigned int degree, const std::vector<dealii::types::boundary_id> &shared)
     : mesh_(mesh)
     , degree_(degree)
     , element_(degree)
@@ -37,6 +52,12 @@ namespace myolines
   {
     nodes_.distribute_dofs(element_);
     dealii::DoFTools::extract_locally_relevant_dofs(nodes_, relevant_nodes_);
+    for (const auto face : shared)
+      {
+        shared_nodes_[face] = lowest_vertex(nodes_, face);
+        relevant_nodes_.add_index(shared_nodes_[face]);
+      }
+    relevant_nodes_.compress();
     owned_       = unknowns_of(nodes_.locally_owned_dofs());
     relevant_    = unknowns_of(relevant_nodes_);
     partitioner_ = std::make_shared<const dealii::Utilities::MPI::Partitioner>(owned_, relevant_, communicator());

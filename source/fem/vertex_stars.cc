@@ -9,11 +9,23 @@ namespace myolines
 {
   using dealii::types::global_dof_index;
 
-  VertexStars::VertexStars(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints)
+  namespace
+  {
+    std::vector<dealii::types::boundary_id> shared_faces(const NodeSpace &space)
+    {
+      std::vector<dealii::types::boundary_id> faces;
+      for (const auto &[face, node] : space.shared_nodes())
+        faces.push_back(face);
+      return faces;
+    }
+  } // namespace
+
+  VertexStars::VertexStars(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints,
+                           const Constrain &constrain_coarse)
     : batches_(batches)
     , n1_(element.n_nodes_1d)
     , n_nodes_(element.n_nodes)
-    , coarse_(space.mesh(), 1)
+    , coarse_(space.mesh(), 1, shared_faces(space))
     , node_weights_(n_nodes_)
     , half_(std::size_t(n_nodes_) * 8 * n_lanes)
     , coarse_element_(std::size_t(9) * 64 * n_lanes)
@@ -39,7 +51,11 @@ namespace myolines
               corner_nodes_[corner].push_back(i);
           }
       }
-    constrain(space, constraints);
+    if (constrain_coarse)
+      coarse_constraints_ = constrain_coarse(coarse_);
+    else
+      constrain(space, constraints);
+    find_eliminations(space, constraints);
     find_stars(space, constraints);
     interpolate(space, constraints);
     coarse_matrix_ = std::make_unique<BlockMatrix>(coarse_, batches_, 8, coarse_constraints_);
@@ -67,6 +83,63 @@ namespace myolines
     coarse_constraints_.close();
   }
 
+  void VertexStars::find_eliminations(const NodeSpace &space, const Constraints &constraints)
+  {
+    for (const auto &line : constraints.get_lines())
+      for (const auto &[index, weight] : line.entries)
+        if (index / 3 != line.index / 3)
+          leaders_.insert(index);
+    Numbers fine, coarse;
+    for_each_cell([&](const unsigned int b, const unsigned int lane, const std::size_t cell) {
+      cell_nodes(b, lane, space, fine, coarse);
+      for (int i = 0; i < n_nodes_; ++i)
+        {
+          Elimination elimination{i, {}};
+          bool        any = false;
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              const auto *entries = constraints.get_constraint_entries(3 * fine[i] + c);
+              if (entries == nullptr)
+                {
+                  elimination.T[c][c] = 1;
+                  continue;
+                }
+              for (const auto &[index, weight] : *entries)
+                if (index / 3 == fine[i])
+                  {
+                    elimination.T[c][index % 3] = weight;
+                    any                         = true;
+                  }
+            }
+          if (any)
+            eliminations_[cell].push_back(elimination);
+        }
+    });
+    if (!eliminations_.empty())
+      eliminated_.resize(std::size_t(9) * n_nodes_ * n_nodes_ * n_lanes);
+  }
+
+  /// K <- T^T K T, node by node.
+  void VertexStars::eliminate(const unsigned int b, double *matrices) const
+  {
+    const std::size_t block = std::size_t(n_nodes_) * n_nodes_ * n_lanes;
+    for (unsigned int lane = 0; lane < batches_.n_filled(b); ++lane)
+      if (const auto found = eliminations_.find(std::size_t(b) * n_lanes + lane); found != eliminations_.end())
+        for (const Elimination &e : found->second)
+          for (const bool rows : {true, false})
+            for (int j = 0; j < n_nodes_; ++j)
+              for (int c = 0; c < 3; ++c)
+                {
+                  const auto at = [&](const int a) -> double & {
+                    return matrices[std::size_t(rows ? 3 * a + c : 3 * c + a) * block +
+                                    std::size_t(rows ? e.node * n_nodes_ + j : j * n_nodes_ + e.node) * n_lanes + lane];
+                  };
+                  const dealii::Tensor<1, 3> result = transpose(e.T) * dealii::Tensor<1, 3>({at(0), at(1), at(2)});
+                  for (int a = 0; a < 3; ++a)
+                    at(a) = result[a];
+                }
+  }
+
   void VertexStars::find_stars(const NodeSpace &space, const Constraints &constraints)
   {
     const std::size_t n_cells = std::size_t(batches_.n_batches()) * n_lanes, per_corner = 3 * corner_nodes_[0].size();
@@ -87,7 +160,7 @@ namespace myolines
             star_[8 * cell + corner] = static_cast<int>(star);
             for (const int i : corner_nodes_[corner])
               for (unsigned int c = 0; c < 3; ++c, ++at)
-                if (!constraints.is_constrained(3 * fine[i] + c))
+                if (!constraints.is_constrained(3 * fine[i] + c) && leaders_.count(3 * fine[i] + c) == 0)
                   {
                     const unsigned int unknown = space.partitioner().global_to_local(3 * fine[i] + c);
                     const auto [found, fresh]  = places[star].emplace(unknown, static_cast<unsigned short>(stars[star].size()));
@@ -130,8 +203,15 @@ namespace myolines
 
   void VertexStars::add(const unsigned int b, const double *element_matrices)
   {
-    add_to_patches(b, element_matrices);
     add_to_coarse(b, element_matrices);
+    if (!has_eliminations(b))
+      {
+        add_to_patches(b, element_matrices);
+        return;
+      }
+    std::copy_n(element_matrices, eliminated_.size(), eliminated_.begin());
+    eliminate(b, eliminated_.data());
+    add_to_patches(b, eliminated_.data());
   }
 
   void VertexStars::add_to_patches(const unsigned int b, const double *matrices)

@@ -1,6 +1,7 @@
 #include "point_states.h"
 
 #include <myolines/muscle3d/loads.h>
+#include <myolines/muscle3d/surface_forces.h>
 
 #include <set>
 
@@ -53,9 +54,11 @@ namespace myolines
 
     void add_load_powers(const Muscle3dSystem &system, const State &state, Powers &powers)
     {
+      if (system.surface_forces().any())
+        powers.traction_power = system.surface_forces().power(state.t, state.u, state.v);
       if (!system.loads().any_external())
         return;
-      powers.traction_power   = system.loads().traction_power(state.t, state.v);
+      powers.traction_power += system.loads().traction_power(state.t, state.v);
       powers.body_force_power = system.loads().body_force_power(state.t, state.v);
     }
 
@@ -135,6 +138,8 @@ namespace myolines
         m.mean_velocity /= m.slab_volume;
       }
     add_load_powers(system, state, m);
+    if (system.surface_forces().any())
+      m.stored_springs = system.surface_forces().energy(state.t, state.u);
     return m;
   }
 
@@ -166,20 +171,28 @@ namespace myolines
     const auto                               &conditions = system.parameters().boundary;
     for (auto condition = conditions.rbegin(); condition != conditions.rend(); ++condition)
       {
-        if (!condition->prescribes_motion())
+        if (!condition->reacts())
           continue;
         Reaction reaction;
-        reaction.condition = condition->name;
-        for (const auto node : space.face_nodes(condition->face))
-          for (unsigned int c = 0; c < 3; ++c)
-            if (const auto i = 3 * node + c; condition->components[c] && space.owned_unknowns().is_element(i) && taken.insert(i).second)
-              {
-                reaction.force[c] += r(i);
-                reaction.power += r(i) * state.v(i);
-              }
-        for (unsigned int c = 0; c < 3; ++c)
-          reaction.force[c] = dealii::Utilities::MPI::sum(reaction.force[c], space.communicator());
+        reaction.condition     = condition->name;
+        const auto &ties       = system.discretisation().constraints.held;
+        const auto  tie        = ties.find(condition->name);
+        const auto  components = tie != ties.end() ? tie->second : condition->components; // none of a foundation
+        if (condition->constrains())
+          for (const auto node : space.face_nodes(condition->face))
+            for (unsigned int c = 0; c < 3; ++c)
+              if (const auto i = 3 * node + c; components[c] && space.owned_unknowns().is_element(i) && taken.insert(i).second)
+                {
+                  reaction.force[c] += r(i);
+                  reaction.power += r(i) * state.v(i);
+                }
+        reaction.force = dealii::Utilities::MPI::sum(reaction.force, space.communicator());
         reaction.power = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
+        if (condition->is_spring())
+          reaction.force += system.surface_forces().force(state.t, state.u, *condition);
+        if (condition->type == BoundaryCondition::Type::isotonic)
+          for (unsigned int c = 0; c < 3; ++c)
+            reaction.force[c] += condition->load * condition->factor(state.t, Side::left) * condition->direction[c];
         reactions.insert(reactions.begin(), reaction);
       }
     return reactions;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace myolines
@@ -77,6 +78,45 @@ namespace myolines
           }
     }
 
+    /// Loads with one number, springs and constraints.
+    void read_other(const Node &node, const std::string &type, BoundaryCondition &condition)
+    {
+      using Type = BoundaryCondition::Type;
+      const std::map<std::string, Type> types{{"pressure", Type::pressure},
+                                              {"follower pressure", Type::follower_pressure},
+                                              {"directed traction", Type::directed_traction},
+                                              {"elastic foundation", Type::foundation},
+                                              {"symmetry plane", Type::symmetry},
+                                              {"isotonic", Type::isotonic},
+                                              {"tendon spring", Type::tendon}};
+      condition.type = types.at(type);
+      if (condition.type == Type::pressure || condition.type == Type::follower_pressure)
+        condition.load = node.number("pressure");
+      if (condition.type == Type::directed_traction)
+        condition.load = node.number("traction");
+      if (condition.type == Type::isotonic)
+        condition.load = node.number("force");
+      if (condition.type == Type::directed_traction || condition.moves_as_one())
+        condition.direction = read_direction(node, "direction");
+      if (condition.moves_as_one())
+        condition.held_across = node.text("across") == "held";
+      if (condition.type == Type::foundation)
+        {
+          condition.stiffness        = node.number("stiffness");
+          condition.normal_stiffness = node.number("normal stiffness");
+          if (condition.stiffness == 0 && condition.normal_stiffness == 0)
+            node.refuse("stiffness", "the springs have no stiffness", "a \"stiffness\" or a \"normal stiffness\" above zero");
+        }
+      if (condition.type == Type::tendon)
+        {
+          condition.spring = read_tendon_spring(node.section("spring"));
+          if (node.has("motion"))
+            condition.profile = make_drive(node.section("motion"));
+        }
+      else if (condition.type != Type::foundation && condition.type != Type::symmetry && node.has("profile"))
+        condition.profile = make_drive(node.section("profile"));
+    }
+
     BoundaryCondition read_condition(const Node &node, const Geometry &geometry, const bool dynamic)
     {
       BoundaryCondition condition;
@@ -84,13 +124,13 @@ namespace myolines
       condition.scene_path   = node.where("face");
       condition.face         = read_face(node, "face", face_names(geometry));
       const std::string type = node.text("type");
-      if (type == "traction" || type == "pressure")
-        {
-          condition.components = {{false, false, false}};
-          read_box(node, condition);
-        }
-      else
+      if (type == "fixed" || type == "strain" || type == "formula")
         condition.components = read_components(node);
+      else
+        condition.components = {{false, false, false}};
+      if (type == "traction" || type == "directed traction" || type == "pressure" || type == "follower pressure" ||
+          type == "elastic foundation")
+        read_box(node, condition);
       if (type == "strain")
         {
           condition.type             = BoundaryCondition::Type::strain;
@@ -117,13 +157,8 @@ namespace myolines
           condition.type     = BoundaryCondition::Type::traction;
           condition.traction = read_formulas(node, "traction ");
         }
-      else if (type == "pressure")
-        {
-          condition.type     = BoundaryCondition::Type::pressure;
-          condition.pressure = node.number("pressure");
-          if (node.has("profile"))
-            condition.profile = make_drive(node.section("profile"));
-        }
+      else if (type != "fixed")
+        read_other(node, type, condition);
       return condition;
     }
 
@@ -131,15 +166,29 @@ namespace myolines
     {
       for (std::size_t i = 0; i < conditions.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-          for (unsigned int c = 0; c < 3; ++c)
-            if (conditions[i].face == conditions[j].face && conditions[i].components[c] && conditions[j].components[c])
+          {
+            if (conditions[i].face != conditions[j].face)
+              continue;
+            for (unsigned int c = 0; c < 3; ++c)
+              if (conditions[i].components[c] && conditions[j].components[c])
+                node.refuse(conditions[i].name,
+                            std::string("prescribes component ") + axes[c] + " of face " + faces[conditions[i].face] + ", as \"" +
+                                conditions[j].name + "\" does already",
+                            "one condition for each component of a face");
+            const auto ties = [](const BoundaryCondition &c) { return c.constrains() && !c.prescribes_motion(); };
+            if (ties(conditions[i]) && ties(conditions[j]))
               node.refuse(conditions[i].name,
-                          std::string("prescribes component ") + axes[c] + " of face " + faces[conditions[i].face] + ", as \"" +
-                              conditions[j].name + "\" does already",
-                          "one condition for each component of a face");
+                          "ties the unknowns of face " + faces[conditions[i].face] + ", as \"" + conditions[j].name + "\" does already",
+                          "one symmetry plane, isotonic load or tendon spring for each face");
+          }
     }
 
   } // namespace
+
+  bool BoundaryCondition::may_move(const unsigned int c) const
+  {
+    return (type == Type::strain && direction[c] != 0) || (type == Type::formula && displacement[c] != "0");
+  }
 
   Schema boundary_schema()
   {
@@ -164,15 +213,57 @@ namespace myolines
     add_formulas(traction, "traction ", "Traction [Pa]");
     add_box(traction);
 
-    Schema pressure("A dead load along the inward normal of the face at rest, per reference area.");
-    pressure.number("pressure", std::nullopt, "Pa", Range::any(), "Force per reference area.")
-        .optional_section("profile", drive_schema("factor of the pressure", "-"));
+    const auto load = [](Schema schema, const std::string &name, const std::string &unit, const std::string &what) {
+      schema.number(name, std::nullopt, unit, Range::any(), what).optional_section("profile", drive_schema("factor of the " + name, "-"));
+      return schema;
+    };
+    Schema pressure = load(Schema("A dead load along the inward normal of the face at rest, per reference area."), "pressure", "Pa",
+                           "Force per reference area.");
     add_box(pressure);
+
+    Schema directed = load(Schema("A dead load along a direction, per reference area."), "traction", "Pa", "Force per reference area.");
+    directed.text("direction", "1 0 0", "Direction of the load; normalised.");
+    add_box(directed);
+
+    Schema follower = load(Schema("A pressure on the face as it moves: the force -p n per current area turns and grows with it."),
+                           "pressure", "Pa", "Force per current area, inwards where positive.");
+    add_box(follower);
+
+    Schema foundation(
+        "Springs between the face and the ground, per reference area: the force is -k u - k_n (u.N) N, N the normal at rest.");
+    foundation.number("stiffness", 0, "Pa/m", Range::not_negative(), "k, in all directions.")
+        .number("normal stiffness", 0, "Pa/m", Range::not_negative(), "k_n, along the normal, added to the other.");
+    add_box(foundation);
+
+    const Schema symmetry("The face, a plane of any direction, moves only within its plane: the body goes on behind it as in a mirror.");
+
+    const auto as_one = [](Schema schema) {
+      schema.text("direction", "1 0 0", "Direction n along which the face moves as one; normalised.")
+          .choice("across", "free", {"free", "held"}, "Whether points of the face may move across n.");
+      return schema;
+    };
+    const Schema isotonic = load(as_one(Schema("The face moves as one along a direction, as far as a given force takes it.")), "force", "N",
+                                 "Force along n: positive where it pulls that way.");
+
+    Schema tendon =
+        as_one(Schema("The face moves as one along a direction, pulled by a tendon in series. The tendon is slack at rest, its far "
+                      "end moves along n."));
+    tendon.section("spring", tendon_spring_schema()).optional_section("motion", drive_schema("motion of the far end of the tendon", "m"));
 
     Schema each("A named condition on one face.");
     each.text("face", std::nullopt, "Face of the body, by a name of its geometry.");
     each.variant("type", std::nullopt,
-                 {{"fixed", fixed}, {"strain", strain}, {"formula", formula}, {"traction", traction}, {"pressure", pressure}},
+                 {{"fixed", fixed},
+                  {"strain", strain},
+                  {"formula", formula},
+                  {"traction", traction},
+                  {"directed traction", directed},
+                  {"pressure", pressure},
+                  {"follower pressure", follower},
+                  {"elastic foundation", foundation},
+                  {"symmetry plane", symmetry},
+                  {"isotonic", isotonic},
+                  {"tendon spring", tendon}},
                  "Kind of condition.");
     return Schema("Boundary conditions, each a list with a name of your choice; faces without one are free of traction. Where two faces "
                   "meet, the later condition holds on the common edge.")

@@ -5,16 +5,13 @@ namespace myolines
 {
   namespace
   {
-    /// u = 0 relations for all prescribed components; g(t) is added by Muscle3dSystem::prescribed.
-    void constrain(const Muscle3dParameters &parameters, const NodeSpace &space, Constraints &constraints)
+    std::vector<dealii::types::boundary_id> faces_that_move_as_one(const Muscle3dParameters &parameters)
     {
-      constraints.reinit(space.relevant_unknowns());
+      std::vector<dealii::types::boundary_id> faces;
       for (const BoundaryCondition &condition : parameters.boundary)
-        for (const auto node : space.face_nodes(condition.face))
-          for (unsigned int c = 0; c < 3; ++c)
-            if (condition.components[c])
-              constraints.add_line(3 * node + c);
-      constraints.close();
+        if (condition.moves_as_one())
+          faces.push_back(condition.face);
+      return faces;
     }
 
     KernelTables kernel_tables(const Element &e)
@@ -39,11 +36,24 @@ namespace myolines
   void Muscle3dDiscretisation::set_up(const Muscle3dParameters &parameters)
   {
     batches.reset();
-    space   = std::make_unique<NodeSpace>(mesh, parameters.degree);
-    batches = std::make_unique<CellBatches>(*space, element);
-    constrain(parameters, *space, constraints);
+    space       = std::make_unique<NodeSpace>(mesh, parameters.degree, faces_that_move_as_one(parameters));
+    batches     = std::make_unique<CellBatches>(*space, element);
+    constraints = BoundaryConstraints(parameters.boundary, *space);
     if (const auto &between = parameters.fields.laplace)
       potential = std::make_unique<Vector>(laplace_potential(*space, between->from, between->to));
+  }
+
+  void Muscle3dDiscretisation::apply_relations(Vector &x) const
+  {
+    x.update_ghost_values();
+    for (const Relation &relation : constraints.relations)
+      {
+        double value = 0;
+        for (const auto &[index, weight] : relation.others)
+          value += weight * x(index);
+        x.local_element(x.get_partitioner()->global_to_local(relation.unknown)) = value;
+      }
+    x.update_ghost_values();
   }
 
   CellSweep::CellSweep(const Element &element, const CellBatches &batches, const PointMaterials &materials)

@@ -3,17 +3,39 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <numeric>
+
 namespace myolines
 {
+  namespace
+  {
+    double area(const NodeSpace &space, const unsigned int face)
+    {
+      dealii::FEFaceValues<3> values(space.nodes().get_fe(), dealii::QGauss<2>(3), dealii::update_JxW_values);
+      double                  sum = 0;
+      for (const auto &cell : space.nodes().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int f : cell->face_indices())
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == face)
+              {
+                values.reinit(cell, f);
+                sum += std::accumulate(values.get_JxW_values().begin(), values.get_JxW_values().end(), 0.);
+              }
+      return dealii::Utilities::MPI::sum(sum, space.communicator());
+    }
+  } // namespace
+
   Loads::Loads(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation)
     : discretisation_(discretisation)
   {
     for (const BoundaryCondition &condition : parameters.boundary)
       if (condition.type == BoundaryCondition::Type::traction)
         tractions_.push_back({&condition, VectorFormula(condition.traction)});
-      else if (condition.type == BoundaryCondition::Type::pressure)
+      else if (condition.type == BoundaryCondition::Type::pressure || condition.type == BoundaryCondition::Type::directed_traction)
         tractions_.push_back({&condition, {}});
-      else
+      else if (condition.type == BoundaryCondition::Type::isotonic)
+        tractions_.push_back({&condition, {}, area(*discretisation.space, condition.face)});
+      else if (condition.prescribes_motion())
         {
           motions_.push_back({&condition, discretisation.space->face_nodes(condition.face), {}});
           if (condition.type == BoundaryCondition::Type::formula)
@@ -56,8 +78,14 @@ namespace myolines
     for (unsigned int c = 0; c < 3; ++c)
       if (x[c] < condition->low[c] || x[c] > condition->high[c])
         return T;
+    if (condition->type == BoundaryCondition::Type::pressure)
+      return -condition->load * factor * normal;
     if (!formula)
-      return -condition->pressure * factor * normal;
+      {
+        for (unsigned int c = 0; c < 3; ++c)
+          T[c] = condition->load * factor / area * condition->direction[c];
+        return T;
+      }
     for (unsigned int c = 0; c < 3; ++c)
       T[c] = formula->zero(c) ? 0 : (*formula)(c, x, t);
     return T;
@@ -75,7 +103,7 @@ namespace myolines
     std::vector<dealii::types::global_dof_index> nodes(fe.n_dofs_per_cell());
     for (const Traction &traction : tractions_)
       {
-        const double factor = traction.condition->profile ? traction.condition->profile->value(t, side) : 1.;
+        const double factor = traction.condition->factor(t, side);
         for (const auto &cell : space.nodes().active_cell_iterators())
           if (cell->is_locally_owned())
             for (const unsigned int face : cell->face_indices())

@@ -15,10 +15,11 @@ namespace myolines
   }
 
   Muscle3dLinearisation::Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
-                                               const PointMaterials &materials, WorkLedger &ledger)
+                                               const PointMaterials &materials, const SurfaceForces &surface, WorkLedger &ledger)
     : parameters_(parameters)
     , discretisation_(discretisation)
     , materials_(materials)
+    , surface_(surface)
     , ledger_(ledger)
     , u_(discretisation.space->make_vector())
     , v_(u_)
@@ -34,6 +35,8 @@ namespace myolines
         v_ = point.v;
         v_.update_ghost_values();
       }
+    if (surface_.any())
+      find_faces(point);
     current_ = false;
     stored_  = false;
     ledger_.count("linearisations");
@@ -46,6 +49,43 @@ namespace myolines
       return myolines::tangent_size(sweep.element.n_points, sweep.element.n_modes, model.rate);
     }
   } // namespace
+
+  void Muscle3dLinearisation::find_faces(const Point &point)
+  {
+    faces_ = surface_.tangents(point.t, point.side, u_, !parameters_.exact_tangent);
+    if (faces_of_.empty())
+      for (std::size_t i = 0; i < faces_.size(); ++i)
+        faces_of_[faces_[i].cell->id()].push_back(i);
+  }
+
+  void Muscle3dLinearisation::add_faces(const CellBatches &batches, const unsigned int b, const double weight,
+                                        double *element_matrices) const
+  {
+    const std::size_t n = discretisation_.element.n_nodes, block = n * n * n_lanes;
+    for (unsigned int lane = 0; lane < batches.n_filled(b); ++lane)
+      if (const auto found = faces_of_.find(batches.cell(b, lane)->id()); found != faces_of_.end())
+        for (const std::size_t number : found->second)
+          {
+            const SurfaceForces::Tangent &face = faces_[number];
+            for (unsigned int ia = 0; ia < face.matrix.m(); ++ia)
+              for (unsigned int jc = 0; jc < face.matrix.n(); ++jc)
+                element_matrices[(3 * (ia % 3) + jc % 3) * block + (face.places[ia / 3] * n + face.places[jc / 3]) * n_lanes + lane] +=
+                    weight * face.matrix(ia, jc);
+          }
+  }
+
+  void Muscle3dLinearisation::add_faces(const double weight, const Vector &x, Vector &y) const
+  {
+    for (const SurfaceForces::Tangent &face : faces_)
+      if (face.cell->is_locally_owned())
+        for (unsigned int ia = 0; ia < face.matrix.m(); ++ia)
+          {
+            double sum = 0;
+            for (unsigned int jc = 0; jc < face.matrix.n(); ++jc)
+              sum += face.matrix(ia, jc) * x.local_element(3 * face.nodes[jc / 3] + jc % 3);
+            y.local_element(3 * face.nodes[ia / 3] + ia % 3) += weight * sum;
+          }
+  }
 
   void Muscle3dLinearisation::store(const CellSweep &sweep, Tangents &tangents) const
   {
@@ -68,6 +108,8 @@ namespace myolines
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
       discretisation_.kernels.apply(sweep.tables, model, sweep.cells(b), k, tangents.data() + b * size, x.begin(), y.begin(),
                                     discretisation_.scratch());
+    if (w.u != 0)
+      add_faces(w.u, x, y);
     y.compress(dealii::VectorOperation::add);
   }
 
@@ -94,6 +136,8 @@ namespace myolines
       {
         discretisation_.kernels.element_matrices(sweep.tables, model_, sweep.cells(b), k, u_.begin(), v_.begin(), element_matrices.data(),
                                                  discretisation_.scratch());
+        if (!faces_.empty() && w.u != 0)
+          add_faces(sweep.batches, b, w.u, element_matrices.data());
         consume(b, element_matrices.data());
       }
     count_terms(model_, "assembly", ledger_);
@@ -108,9 +152,10 @@ namespace myolines
     ledger_.count("matrix assemblies");
     const Muscle3dDiscretisation &d = discretisation_;
     if (!matrix_)
-      matrix_ = std::make_unique<BlockMatrix>(*d.space, *d.batches, d.element.n_nodes, d.constraints);
+      matrix_ = std::make_unique<BlockMatrix>(*d.space, *d.batches, d.element.n_nodes, d.constraints.lines);
     matrix_->clear();
     for_each_matrix(d.sweep(materials_), w, [&](const unsigned int b, double *matrices) { matrix_->add(b, matrices); });
+    matrix_->finish();
     assembled_ = w;
     current_   = true;
     return matrix_->matrix();
@@ -120,7 +165,7 @@ namespace myolines
   {
     if (!multilevel_)
       multilevel_ =
-          std::make_unique<MultilevelData>(MultilevelData{3, rigid_body_modes(*discretisation_.space, discretisation_.constraints)});
+          std::make_unique<MultilevelData>(MultilevelData{3, rigid_body_modes(*discretisation_.space, discretisation_.constraints.lines)});
     return multilevel_.get();
   }
 
@@ -140,12 +185,15 @@ namespace myolines
     const Muscle3dDiscretisation &d = discretisation_;
     if (d.element.n_points_1d > d.element.n_nodes_1d)
       lean_ = std::make_unique<LeanCells>(d, parameters_);
-    stars_     = std::make_unique<VertexStars>(*d.space, lean_sweep().batches, lean_sweep().element, d.constraints);
+    stars_ =
+        std::make_unique<VertexStars>(*d.space, lean_sweep().batches, lean_sweep().element, d.constraints.lines,
+                                      [this](const NodeSpace &coarse) { return BoundaryConstraints(parameters_.boundary, coarse).lines; });
     two_level_ = std::make_unique<TwoLevel>(TwoLevel{stars_->patches(),
                                                      stars_->interpolation(),
                                                      stars_->coarse_matrix(),
                                                      {3, rigid_body_modes(stars_->coarse_space(), stars_->coarse_constraints())},
                                                      stars_->coarse_space().make_vector(),
+                                                     stars_->coarse_constraints(),
                                                      {}});
   }
 
@@ -157,6 +205,7 @@ namespace myolines
     const Weights w = weights[2];
     stars_->clear();
     for_each_matrix(lean_sweep(), w, [&](const unsigned int b, double *matrices) { stars_->add(b, matrices); });
+    stars_->finish();
     if (lean_)
       {
         store(lean_sweep(), lean_->tangents);

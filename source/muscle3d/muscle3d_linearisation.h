@@ -5,9 +5,11 @@
 #include <myolines/fem/block_matrix.h>
 #include <myolines/fem/vertex_stars.h>
 #include <myolines/muscle3d/discretisation.h>
+#include <myolines/muscle3d/surface_forces.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/linearisation.h>
 
+#include <map>
 #include <memory>
 
 namespace myolines
@@ -20,7 +22,7 @@ namespace myolines
   {
   public:
     Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
-                          const PointMaterials &materials, WorkLedger &ledger);
+                          const PointMaterials &materials, const SurfaceForces &surface, WorkLedger &ledger);
 
     void refill(const Point &point, const Activation &activation);
 
@@ -42,6 +44,11 @@ namespace myolines
     template <typename Consumer>
     void for_each_matrix(const CellSweep &sweep, const Weights &weights, const Consumer &consume) const;
 
+    void find_faces(const Point &point);
+    /// Adds the tangents of forces on the faces of batch @p b to its element matrices.
+    void add_faces(const CellBatches &batches, unsigned int b, double weight, double *element_matrices) const;
+    void add_faces(double weight, const Vector &x, Vector &y) const;
+
     /// Quadrature with as few points as keep the stiffness, for preconditioners of a richer one.
     struct LeanCells
     {
@@ -54,20 +61,23 @@ namespace myolines
     CellSweep lean_sweep() const;
     void      make_two_level();
 
-    const Muscle3dParameters               &parameters_;
-    const Muscle3dDiscretisation           &discretisation_;
-    const PointMaterials                   &materials_;
-    WorkLedger                             &ledger_;
-    KernelModel                             model_{};
-    Vector                                  u_, v_;
-    std::unique_ptr<BlockMatrix>            matrix_;
-    Weights                                 assembled_; ///< weights of the matrix, if current_
-    bool                                    current_ = false;
-    mutable std::unique_ptr<MultilevelData> multilevel_;
-    std::unique_ptr<LeanCells>              lean_; ///< none if the quadrature is lean already
-    std::unique_ptr<VertexStars>            stars_;
-    std::unique_ptr<TwoLevel>               two_level_;
-    mutable Tangents                        tangents_; ///< at this state, if stored_
-    mutable bool                            stored_ = false;
+    const Muscle3dParameters                          &parameters_;
+    const Muscle3dDiscretisation                      &discretisation_;
+    const PointMaterials                              &materials_;
+    const SurfaceForces                               &surface_;
+    std::vector<SurfaceForces::Tangent>                faces_; ///< of surface_ at this state
+    std::map<dealii::CellId, std::vector<std::size_t>> faces_of_;
+    WorkLedger                                        &ledger_;
+    KernelModel                                        model_{};
+    Vector                                             u_, v_;
+    std::unique_ptr<BlockMatrix>                       matrix_;
+    Weights                                            assembled_; ///< weights of the matrix, if current_
+    bool                                               current_ = false;
+    mutable std::unique_ptr<MultilevelData>            multilevel_;
+    std::unique_ptr<LeanCells>                         lean_; ///< none if the quadrature is lean already
+    std::unique_ptr<VertexStars>                       stars_;
+    std::unique_ptr<TwoLevel>                          two_level_;
+    mutable Tangents                                   tangents_; ///< at this state, if stored_
+    mutable bool                                       stored_ = false;
   };
 } // namespace myolines

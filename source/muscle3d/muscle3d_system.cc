@@ -20,6 +20,7 @@ namespace myolines
     , materials_(std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,
                                                   discretisation_->potential.get()))
     , loads_(std::make_unique<Loads>(parameters_, *discretisation_))
+    , surface_forces_(std::make_unique<SurfaceForces>(parameters_, *discretisation_))
   {
     // All ranks agree on what is wrong, that of the first rank that found something.
     const std::vector<std::string> problems = dealii::Utilities::MPI::all_gather(discretisation_->communicator, materials_->problem());
@@ -34,19 +35,30 @@ namespace myolines
   void Muscle3dSystem::move_mesh(const std::function<dealii::Point<3>(const dealii::Point<3> &)> &map)
   {
     loads_.reset();
+    surface_forces_.reset();
     dealii::GridTools::transform(map, discretisation_->mesh);
     discretisation_->set_up(parameters_);
-    materials_ = std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,
+    materials_      = std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,
                                                   discretisation_->potential.get());
-    loads_     = std::make_unique<Loads>(parameters_, *discretisation_);
+    loads_          = std::make_unique<Loads>(parameters_, *discretisation_);
+    surface_forces_ = std::make_unique<SurfaceForces>(parameters_, *discretisation_);
   }
+
+  namespace
+  {
+    bool has_follower_pressure(const Muscle3dParameters &parameters)
+    {
+      return std::any_of(parameters.boundary.begin(), parameters.boundary.end(),
+                         [](const BoundaryCondition &c) { return c.type == BoundaryCondition::Type::follower_pressure; });
+    }
+  } // namespace
 
   Capabilities Muscle3dSystem::capabilities() const
   {
     Capabilities c;
     c.inertia           = parameters_.dynamic;
     c.rates             = parameters_.dynamic && parameters_.active() && parameters_.muscle().fibre.force_velocity;
-    c.symmetric_tangent = !c.rates || !parameters_.exact_tangent;
+    c.symmetric_tangent = !parameters_.exact_tangent || (!c.rates && !has_follower_pressure(parameters_));
     c.energy            = true;
     c.splits            = splits();
     return c;
@@ -65,7 +77,7 @@ namespace myolines
 
   CellSweep Muscle3dSystem::sweep() const { return discretisation_->sweep(*materials_); }
 
-  const Constraints &Muscle3dSystem::constraints() const { return discretisation_->constraints; }
+  const Constraints &Muscle3dSystem::constraints() const { return discretisation_->constraints.lines; }
 
   void Muscle3dSystem::prescribed(const double t, const Side side, State &state) const
   {
@@ -73,7 +85,7 @@ namespace myolines
       x->zero_out_ghost_values(); // entries can only be written while the ghosts are not "current"
     loads_->prescribe(t, side, state);
     for (Vector *x : {&state.u, &state.v, &state.a})
-      x->update_ghost_values();
+      discretisation_->apply_relations(*x);
   }
 
   Evaluation Muscle3dSystem::residual(const Point &point, Vector &r) const
@@ -98,6 +110,7 @@ namespace myolines
         r = std::numeric_limits<double>::quiet_NaN();
         return {false, "det F or the dilatation is not positive somewhere in the body"};
       }
+    surface_forces_->subtract(point.t, point.side, u.vector(), r);
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
       loads_->subtract_external(point.t, point.side, r);
@@ -106,7 +119,7 @@ namespace myolines
 
   std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const
   {
-    return std::make_unique<Muscle3dLinearisation>(parameters_, *discretisation_, *materials_, ledger_);
+    return std::make_unique<Muscle3dLinearisation>(parameters_, *discretisation_, *materials_, *surface_forces_, ledger_);
   }
 
   void Muscle3dSystem::linearise(const Point &point, Linearisation &linearisation) const

@@ -30,7 +30,7 @@ namespace myolines
     lines.push_back(line("passive fibres and base material", true, "always"));
     lines.push_back(line("body force", p.body_force.has_value(), p.body_force ? "given" : "not given"));
     lines.push_back(line("tractions",
-                         std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return !c.prescribes_motion(); }),
+                         std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return !c.constrains() && !c.is_spring(); }),
                          "faces without a condition are free"));
     lines.push_back(std::string("tangent: ") + (capabilities().symmetric_tangent ? "symmetric" : "exact, not symmetric") +
                     "; kernels: " + name(discretisation_->instruction_set) + ", " + std::to_string(n_lanes) + " cells at once");
@@ -63,7 +63,7 @@ namespace myolines
     const double star     = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
     const double tangents = tangent_size_rate * sizeof(double) * own;
 
-    sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (nodes + 1) * sizeof(int);
+    sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
     sizes.bytes =
         20 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double)) + points * tangents;
     if (k > 1)

@@ -94,7 +94,7 @@ namespace myolines
       {
         part.body_force.reset();
         part.boundary.erase(
-            std::remove_if(part.boundary.begin(), part.boundary.end(), [](const BoundaryCondition &c) { return !c.prescribes_motion(); }),
+            std::remove_if(part.boundary.begin(), part.boundary.end(), [](const BoundaryCondition &c) { return !c.constrains(); }),
             part.boundary.end());
       }
     if (split == "volumetric")

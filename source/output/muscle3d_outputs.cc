@@ -72,12 +72,12 @@ namespace myolines
       if (series.boolean("all faces"))
         files.push_back(all_faces_files(folder, p));
       if (series.boolean("reactions") &&
-          std::any_of(p.boundary.begin(), p.boundary.end(), [](const BoundaryCondition &c) { return c.prescribes_motion(); }))
+          std::any_of(p.boundary.begin(), p.boundary.end(), [](const BoundaryCondition &c) { return c.reacts(); }))
         files.push_back(reaction_file(folder, p));
       if (series.boolean("energies"))
         files.push_back(energy_file(folder, p));
       if (series.boolean("energy balance") && p.dynamic)
-        files.push_back(energy_balance_file(folder));
+        files.push_back(energy_balance_file(folder, p));
       if (series.boolean("stretch and pennation"))
         files.push_back(stretch_file(folder));
       if (series.boolean("gearing info") && p.dynamic)

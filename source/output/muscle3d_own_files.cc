@@ -3,6 +3,8 @@
 #include <myolines/output/csv_file.h>
 #include <myolines/output/muscle3d_files.h>
 
+#include <algorithm>
+
 namespace myolines
 {
   namespace
@@ -10,10 +12,10 @@ namespace myolines
     class EnergyBalance : public SeriesFile
     {
     public:
-      explicit EnergyBalance(const OutputFolder &folder)
-        : csv_(folder, "energy_balance.csv",
-               {"Time [s]", "Kinetic [J]", "Stored volumetric [J]", "Stored base [J]", "Stored passive [J]",
-                "Active work [J]", "Dissipated [J]", "External work [J]", "Balance drift [J]", "Stored tendinous [J]"})
+      /// @p springs: there are springs at faces, with a column of their own.
+      EnergyBalance(const OutputFolder &folder, const bool springs)
+        : springs_(springs)
+        , csv_(folder, "energy_balance.csv", columns(springs))
       {
         if (folder.saved != nullptr && folder.saved->has_numbers(memory))
           recall(folder.saved->numbers(memory));
@@ -25,9 +27,14 @@ namespace myolines
         if (!before_)
           energy_at_start_ = energy(body);
         accumulate(sample);
-        csv_.row(std::vector<double>{sample.t(), body.kinetic, body.stored_volumetric, body.stored_base, body.stored_passive, active_work_,
-                                     dissipated_, external_work_,
-                                     energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_, body.stored_tendinous});
+        std::vector<double> row{
+            sample.t(),           body.kinetic,        body.stored_volumetric,
+            body.stored_base,     body.stored_passive, active_work_,
+            dissipated_,          external_work_,      energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_,
+            body.stored_tendinous};
+        if (springs_)
+          row.push_back(body.stored_springs);
+        csv_.row(row);
       }
 
       void pass(const Muscle3dSample &sample) override
@@ -46,6 +53,16 @@ namespace myolines
       }
 
     private:
+      static std::vector<std::string> columns(const bool springs)
+      {
+        std::vector<std::string> names{"Time [s]",           "Kinetic [J]",         "Stored volumetric [J]", "Stored base [J]",
+                                       "Stored passive [J]", "Active work [J]",     "Dissipated [J]",        "External work [J]",
+                                       "Balance drift [J]",  "Stored tendinous [J]"};
+        if (springs)
+          names.push_back("Stored springs [J]");
+        return names;
+      }
+
       /// What the integrals need of an instant.
       struct Rates
       {
@@ -57,7 +74,7 @@ namespace myolines
 
       static double energy(const BodyMeasures &body)
       {
-        return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous;
+        return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous + body.stored_springs;
       }
 
       static Rates rates(const Muscle3dSample &sample)
@@ -93,6 +110,7 @@ namespace myolines
 
       static constexpr const char *memory = "energy balance: energy at start, works, last rates";
 
+      const bool           springs_;
       CsvFile              csv_;
       std::optional<Rates> before_;
       double               energy_at_start_ = 0;
@@ -106,7 +124,7 @@ namespace myolines
   {
     std::vector<std::string> columns{"Time [s]"};
     for (const BoundaryCondition &condition : parameters.boundary)
-      if (condition.prescribes_motion())
+      if (condition.reacts())
         for (const char *axis : {" x [N]", " y [N]", " z [N]"})
           columns.push_back(condition.name + axis);
     return make_series_file(folder, "reaction.csv", columns, [](const Muscle3dSample &sample) {
@@ -117,7 +135,11 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder) { return std::make_unique<EnergyBalance>(folder); }
+  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
+  {
+    return std::make_unique<EnergyBalance>(folder, std::any_of(parameters.boundary.begin(), parameters.boundary.end(),
+                                                               [](const BoundaryCondition &c) { return c.is_spring(); }));
+  }
 
   std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
   {

@@ -54,7 +54,10 @@ namespace myolines
           if (x->size() != tangent.layout().size())
             *x = tangent.layout();
         if (r_coarse_.size() != levels_->coarse_layout.size())
-          r_coarse_ = z_coarse_ = levels_->coarse_layout;
+          {
+            r_coarse_ = z_coarse_ = levels_->coarse_layout;
+            coarse_free_          = std::make_unique<FreeUnknowns>(levels_->coarse_constraints, r_coarse_);
+          }
       }
 
       unsigned int set_up_cost() const override { return 15; }
@@ -83,10 +86,20 @@ namespace myolines
             tangent_->apply(x, y);
             return;
           }
-        x.update_ghost_values();
-        levels_->action(x, y);
-        x.zero_out_ghost_values();
-        tangent_->free_unknowns().condense(y);
+        const FreeUnknowns &free = tangent_->free_unknowns();
+        if (free.related())
+          {
+            all_ = x;
+            free.distribute(all_);
+            levels_->action(all_, y);
+          }
+        else
+          {
+            x.update_ghost_values();
+            levels_->action(x, y);
+            x.zero_out_ghost_values();
+          }
+        free.condense(y);
       }
 
       void schwarz(const Vector &r, Vector &z) const
@@ -95,13 +108,17 @@ namespace myolines
         levels_->patches.apply(r, z);
       }
 
-      /// z_ += P (P^T J P)^(-1) P^T r_
+      /// z_ += P C (C^T P^T J P C)^(-1) C^T P^T r_, C the relations of the coarse level if there are any.
       void correct() const
       {
         const WorkLedger::Timer timer(ledger_, "coarse solve");
         levels_->interpolation.restrict_to(r_, r_coarse_);
+        if (coarse_free_->related())
+          coarse_free_->condense(r_coarse_);
         z_coarse_.zero_out_ghost_values();
         coarse_->apply(r_coarse_.begin(), z_coarse_.begin());
+        if (coarse_free_->related())
+          coarse_free_->distribute(z_coarse_);
         levels_->interpolation.add(z_coarse_, z_);
       }
 
@@ -131,7 +148,8 @@ namespace myolines
       const TangentOperator                *tangent_ = nullptr;
       TwoLevel                             *levels_  = nullptr;
       std::unique_ptr<MatrixPreconditioner> coarse_;
-      mutable Vector                        r_, z_, s_, d_, Ad_, r_coarse_, z_coarse_;
+      std::unique_ptr<FreeUnknowns>         coarse_free_;
+      mutable Vector                        r_, z_, s_, d_, Ad_, all_, r_coarse_, z_coarse_;
     };
 
     const Settings defaults{1, 2, "automatic", 1000};

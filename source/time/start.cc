@@ -1,3 +1,4 @@
+#include <myolines/solve/free_unknowns.h>
 #include <myolines/time/combination.h>
 #include <myolines/time/start.h>
 
@@ -51,7 +52,7 @@ namespace myolines
       solve_mass(context, solver, Side::right, &others, point, "impulse of the moving boundary");
       clear(context.system, point.a, true);
       combine(state.v, {{1, &state.v}, {1, &point.a}});
-      state.v.update_ghost_values();
+      context.system.prescribed(state.t, Side::right, state); // velocities that depend on the others
     }
   } // namespace
 
@@ -64,6 +65,52 @@ namespace myolines
     if (rates == BoundaryRates::scheme)
       clear(system, state.a, true);
     return state;
+  }
+
+  void start_from_equilibrium(const IntegratorContext &given, State &state)
+  {
+    // With the rates of the boundary the body would be strained and accelerated there: they are left at zero.
+    const IntegratorContext context{given.system, given.solver, BoundaryRates::scheme, given.ledger};
+    StageSolver             solver(context);
+    context.ledger.count("starts from equilibrium");
+    State rest = state;
+    for (Vector *x : {&rest.u, &rest.v, &rest.a})
+      {
+        *x = 0;
+        x->update_ghost_values();
+      }
+    Vector           unloaded(rest.u), history(rest.u);
+    const Evaluation evaluation = context.system.residual({state.t, Side::right, rest.u, rest.v, rest.a}, unloaded);
+    if (!evaluation.admissible)
+      throw SolveError("There is no equilibrium to start from: " + evaluation.reason + ".");
+
+    constexpr double smallest = 1. / 1024;
+    double           done = 0, part = 1;
+    while (done < 1)
+      {
+        const double next = std::min(1., done + part);
+        Stage        stage;
+        stage.t       = state.t;
+        stage.side    = Side::right;
+        stage.c       = {1, 0, 0};
+        stage.history = next < 1 ? &history : nullptr;
+        combine(history, {{next - 1, &unloaded}});
+        State  point = rest;
+        Vector d(rest.u);
+        d = 0;
+        context.ledger.count("load steps of the start");
+        const NonlinearReport report = solver.solve(stage, point, d);
+        if (report.converged)
+          {
+            done = next;
+            part *= 2;
+            rest.u.swap(point.u);
+          }
+        else if ((part /= 2) < smallest)
+          throw SolveError("The equilibrium to start from cannot be computed: " + report.reason + ".");
+      }
+    context.solver.forget(); // the weights of the steps to come are others
+    state.u.swap(rest.u);
   }
 
   void start_piece(const IntegratorContext &context, StageSolver &solver, State &state)
@@ -82,7 +129,13 @@ namespace myolines
   void consistent_acceleration(const IntegratorContext &context, StageSolver &solver, const Side side, State &state)
   {
     State point = state;
+    // What constrained accelerations owe to the free ones comes with the solution.
+    Vector owed(state.a);
+    FreeUnknowns(context.system.constraints(), state.a).distribute(owed);
+    clear(context.system, owed, false);
     clear(context.system, point.a, false);
+    combine(point.a, {{1, &point.a}, {-1, &owed}});
+    point.a.update_ghost_values();
     solve_mass(context, solver, side, nullptr, point, "initial acceleration");
     state.a.swap(point.a);
   }

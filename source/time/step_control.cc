@@ -154,6 +154,9 @@ namespace myolines
         .choice("start velocity", "consistent", {"consistent", "impulse"},
                 "Where a moving boundary starts or jumps to another velocity: the rest of the body keeps its velocity, or is given the "
                 "impulse of the consistent mass; with \"scheme\" rates and an impulse the boundary itself starts from rest.")
+        .choice("start state", "as given", {"as given", "equilibrium"},
+                "Where the run starts from: the displacement that the system gives, or that at rest under the loads, activation and "
+                "prescribed displacements of the initial time. Velocities are as given.")
         .choice("events", "restart", {"restart", "land", "ignore"},
                 "Kinks of the drives: land on them and restart the integrator with right limits, land on them only, or ignore them.");
     return schema;
@@ -168,6 +171,8 @@ namespace myolines
   {
     return time.text("start velocity") == "impulse" ? StartVelocity::impulse : StartVelocity::consistent;
   }
+
+  bool starts_from_equilibrium(const scene::Node &time) { return time.text("start state") == "equilibrium"; }
 
   std::vector<SchedulePiece> parse_schedule(const std::string &text, const scene::Node &node, const std::string &parameter)
   {

@@ -7,6 +7,7 @@
 #include <deal.II/fe/fe_q.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -25,8 +26,11 @@ namespace myolines
     using Mesh = dealii::parallel::distributed::Triangulation<3>;
     using Cell = dealii::DoFHandler<3>::active_cell_iterator;
 
-    /// @p mesh must outlive the space.
-    NodeSpace(const Mesh &mesh, unsigned int degree);
+    /// A node at a vertex of a boundary face.
+    using SharedNodes = std::map<dealii::types::boundary_id, dealii::types::global_dof_index>;
+
+    /// @p mesh must outlive the space. One node of each of the boundary faces @p shared is relevant to all ranks.
+    NodeSpace(const Mesh &mesh, unsigned int degree, const std::vector<dealii::types::boundary_id> &shared = {});
 
     const Mesh                  &mesh() const { return mesh_; }
     const dealii::DoFHandler<3> &nodes() const { return nodes_; }
@@ -45,7 +49,10 @@ namespace myolines
     /// Global numbers of the nodes on boundary face @p id that this rank owns or sees, ascending.
     std::vector<dealii::types::global_dof_index> face_nodes(dealii::types::boundary_id id) const;
 
-    /// Reference position of a relevant node [m].
+    /// By boundary face, the nodes that all ranks know: of all vertices of the face that with the lowest number.
+    const SharedNodes &shared_nodes() const { return shared_nodes_; }
+
+    /// Reference position of a relevant node [m]; of a shared one only where the rank sees its cells.
     const dealii::Point<3> &node_position(dealii::types::global_dof_index node) const;
 
   private:
@@ -54,6 +61,7 @@ namespace myolines
     dealii::FE_Q<3>                                            element_;
     dealii::DoFHandler<3>                                      nodes_;
     std::vector<unsigned int>                                  lexicographic_; ///< FE_Q number of each lexicographic node
+    SharedNodes                                                shared_nodes_;
     dealii::IndexSet                                           relevant_nodes_;
     dealii::IndexSet                                           owned_, relevant_;
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;

@@ -4,7 +4,12 @@
 #include <myolines/algebra/patch_matrices.h>
 #include <myolines/fem/block_matrix.h>
 
+#include <deal.II/base/tensor.h>
+
+#include <functional>
+#include <map>
 #include <memory>
+#include <set>
 
 namespace myolines
 {
@@ -15,17 +20,27 @@ namespace myolines
   ///   unknown of a star touches the vertex, so the principal submatrix is a sum of corners of element matrices;
   /// - the coarse matrix is P^T J P with P the interpolation from degree 1.
   ///
+  /// Unknowns that depend on others of their own node (a plane of any direction) are eliminated from the stars. One that others at
+  /// other nodes depend on (a face that moves as one) is in no star: the coarse level alone moves it.
+  ///
   /// A rank holds the stars of the vertices that it owns; the cells around them are its own or its ghosts.
   class VertexStars
   {
   public:
-    VertexStars(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints);
+    /// What constrains the coarse space; by default its unknowns are constrained where the fine ones at their vertices are.
+    using Constrain = std::function<Constraints(const NodeSpace &coarse)>;
+
+    VertexStars(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints,
+                const Constrain &constrain_coarse = {});
 
     /// Sets all matrices to zero.
     void clear();
 
     /// Adds the element matrices of batch @p b (layout of BlockMatrix::add), owned and ghost batches alike.
     void add(unsigned int b, const double *element_matrices);
+
+    /// After all batches. Collective.
+    void finish() { coarse_matrix_->finish(); }
 
     PatchMatrices       &patches() { return *patches_; }
     const Interpolation &interpolation() const { return interpolation_; }
@@ -38,6 +53,13 @@ namespace myolines
 
   private:
     using Numbers = std::vector<dealii::types::global_dof_index>;
+
+    /// u = T u of its free components, at a node of a cell.
+    struct Elimination
+    {
+      int                  node;
+      dealii::Tensor<2, 3> T;
+    };
 
     /// visit(batch, lane, batch * n_lanes + lane) for every cell, owned or ghost.
     template <typename Visitor>
@@ -53,6 +75,14 @@ namespace myolines
     int  vertex_node(const int corner) const { return (n1_ - 1) * ((corner & 1) + n1_ * ((corner >> 1 & 1) + n1_ * (corner >> 2))); }
     void constrain(const NodeSpace &space, const Constraints &constraints);
     void find_stars(const NodeSpace &space, const Constraints &constraints);
+    /// Eliminates unknowns that depend on others of their node.
+    void find_eliminations(const NodeSpace &space, const Constraints &constraints);
+    bool has_eliminations(const unsigned int b) const
+    {
+      const auto next = eliminations_.lower_bound(std::size_t(b) * n_lanes);
+      return next != eliminations_.end() && next->first < (std::size_t(b) + 1) * n_lanes;
+    }
+    void eliminate(unsigned int b, double *element_matrices) const;
     void interpolate(const NodeSpace &space, const Constraints &constraints);
     void add_to_patches(unsigned int b, const double *element_matrices);
     void add_to_coarse(unsigned int b, const double *element_matrices);
@@ -69,8 +99,10 @@ namespace myolines
     std::vector<int>                                 corner_nodes_[8]; ///< nodes of a cell that touch each corner
     std::vector<int>                                 star_;            ///< [cell][8]: star of each corner, -1: of another rank
     std::vector<unsigned short>                      positions_;       ///< [cell][8][corner nodes][3]: place in the star
+    std::set<dealii::types::global_dof_index>        leaders_;         ///< unknowns that others of other nodes depend on
+    std::map<std::size_t, std::vector<Elimination>>  eliminations_;    ///< by batch * n_lanes + lane
     std::unique_ptr<PatchMatrices>                   patches_;
     std::unique_ptr<BlockMatrix>                     coarse_matrix_;
-    dealii::AlignedVector<double>                    half_, coarse_element_;
+    dealii::AlignedVector<double>                    half_, coarse_element_, eliminated_;
   };
 } // namespace myolines

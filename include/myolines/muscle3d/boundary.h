@@ -1,6 +1,7 @@
 #pragma once
 
 #include <myolines/muscle3d/geometry.h>
+#include <myolines/muscle3d/tendon_spring.h>
 #include <myolines/system/drive.h>
 
 #include <array>
@@ -17,28 +18,48 @@ namespace myolines
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     enum class Type
     {
-      fixed,    ///< u_c = 0
-      strain,   ///< u = reference length * strain(t) * direction
-      formula,  ///< u_c = f_c(x, y, z, t), with dt and d2t given as formulas too
-      traction, ///< dead load per reference area T(x, y, z, t) [Pa]
-      pressure, ///< dead load -p(t) along the reference normal
+      fixed,             ///< u_c = 0
+      strain,            ///< u = reference length * strain(t) * direction
+      formula,           ///< u_c = f_c(x, y, z, t), with dt and d2t given as formulas too
+      traction,          ///< dead load per reference area T(x, y, z, t) [Pa]
+      pressure,          ///< dead load -p(t) along the reference normal
+      directed_traction, ///< dead load per reference area T(t) along a direction
+      follower_pressure, ///< pressure p(t) on the deformed face, force -p J F^-T N per reference area
+      foundation,        ///< springs per reference area, force -k u - k_n (u.N) N
+      symmetry,          ///< u.N = 0 on a plane face
+      isotonic,          ///< u.n = q on the whole face, q being moved by a given force F(t) along n
+      tendon,            ///< u.n = q, the force being that of a spring whose far end moves by d(t) along n
     };
-    std::string                  name;
-    Type                         type = Type::fixed;
-    unsigned int                 face = 0;
-    std::array<bool, 3>          components{{true, true, true}};       ///< which components are prescribed (none by loads)
-    std::array<double, 3>        direction{{1, 0, 0}};                 ///< unit vector, type strain
-    double                       reference_length = 0;                 ///< [m], type strain
-    std::shared_ptr<const Drive> strain;                               ///< type strain
-    std::array<std::string, 3>   displacement, velocity, acceleration; ///< type formula [m], [m/s], [m/s^2]
-    std::array<std::string, 3>   traction;                             ///< type traction [Pa]
-    double                       pressure = 0;                         ///< type pressure [Pa]
-    std::shared_ptr<const Drive> profile;                              ///< factor of the pressure; nullptr: 1
-    std::array<double, 3>        low{{-infinity, -infinity, -infinity}},
+    std::string                         name;
+    Type                                type = Type::fixed;
+    unsigned int                        face = 0;
+    std::array<bool, 3>                 components{{true, true, true}};       ///< which components are prescribed (none by loads)
+    std::array<double, 3>               direction{{1, 0, 0}};                 ///< unit vector, types strain and those with a direction
+    double                              reference_length = 0;                 ///< [m], type strain
+    std::shared_ptr<const Drive>        strain;                               ///< type strain
+    std::array<std::string, 3>          displacement, velocity, acceleration; ///< type formula [m], [m/s], [m/s^2]
+    std::array<std::string, 3>          traction;                             ///< type traction [Pa]
+    double                              load = 0;                             ///< pressure or traction [Pa], type isotonic: force [N]
+    std::shared_ptr<const Drive>        profile; ///< factor of the load, nullptr: 1; type tendon: motion of the far end [m], nullptr: none
+    double                              stiffness = 0, normal_stiffness = 0; ///< k, k_n of a foundation [Pa/m]
+    bool                                held_across = false;                 ///< types isotonic and tendon: the face does not move across n
+    std::shared_ptr<const TendonSpring> spring;                              ///< type tendon
+    std::array<double, 3>               low{{-infinity, -infinity, -infinity}},
         high{{infinity, infinity, infinity}}; ///< box that a load is confined to [m]
     std::string scene_path;                   ///< for messages
 
-    bool prescribes_motion() const { return type != Type::traction && type != Type::pressure; }
+    /// The motion of its components is a given function of time.
+    bool prescribes_motion() const { return type == Type::fixed || type == Type::strain || type == Type::formula; }
+    /// One unknown moves the whole face.
+    bool moves_as_one() const { return type == Type::isotonic || type == Type::tendon; }
+    bool constrains() const { return prescribes_motion() || type == Type::symmetry || moves_as_one(); }
+    /// It pulls with a force of its own, and not with a given one.
+    bool reacts() const { return constrains() || type == Type::foundation; }
+    /// Whether component @p c may move where the motion is prescribed.
+    bool may_move(unsigned int c) const;
+    bool is_spring() const { return type == Type::foundation || type == Type::tendon; }
+    /// Factor of the load at an instant.
+    double factor(const double t, const Side side) const { return profile ? profile->value(t, side) : 1.; }
     /// The drive behind it, or nullptr.
     const Drive *drive() const { return strain ? strain.get() : profile.get(); }
   };

@@ -24,6 +24,30 @@ namespace myolines
     KernelTables          tables;
   };
 
+  /// A constrained unknown that depends on others: x = sum of weight * other, constrained ones among them.
+  struct Relation
+  {
+    dealii::types::global_dof_index                                 unknown;
+    std::vector<std::pair<dealii::types::global_dof_index, double>> others;
+  };
+
+  /// What boundary conditions do to the unknowns of a space: lines of the prescribed ones, and relations, each after those that it
+  /// needs. A symmetry plane with normal N gives u.N = 0 at its nodes; a face that moves as one along n gives u.n = q, where
+  /// q = u.n at the node of the face that all ranks know, which is free of it.
+  /// @throws InputError, on all ranks, where conditions that meet on an edge contradict each other, and for symmetry planes that are not
+  /// plane.
+  struct BoundaryConstraints
+  {
+    BoundaryConstraints() = default;
+    BoundaryConstraints(const std::vector<BoundaryCondition> &conditions, const NodeSpace &space);
+
+    Constraints           lines; ///< closed
+    std::vector<Relation> relations;
+
+    /// By name of a symmetry plane or of a face that moves as one: the components along which it holds.
+    std::map<std::string, std::array<bool, 3>> held;
+  };
+
   /// Mesh, nodes, batches and kernels of a muscle: everything that does not change in time.
   struct Muscle3dDiscretisation
   {
@@ -35,7 +59,7 @@ namespace myolines
     std::unique_ptr<NodeSpace>   space;
     Element                      element;
     std::unique_ptr<CellBatches> batches;
-    Constraints                  constraints;
+    BoundaryConstraints          constraints;
     std::unique_ptr<Vector>      potential; ///< of fibres between faces
     InstructionSet               instruction_set;
     const Kernels               &kernels;
@@ -43,6 +67,9 @@ namespace myolines
 
     /// Fills space, batches and constraints from the mesh as it stands; call again after moving mesh vertices.
     void set_up(const Muscle3dParameters &parameters);
+
+    /// Sets the unknowns of the relations to what the others of @p x ask for; ghosts are current on return.
+    void apply_relations(Vector &x) const;
 
     CellSweep sweep(const PointMaterials &materials) const { return {element, *batches, materials}; }
 

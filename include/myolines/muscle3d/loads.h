@@ -20,12 +20,12 @@ namespace myolines
     /// Sets u, v, a of prescribed components (ghosts included) to the motion of their boundary conditions.
     void prescribe(double t, Side side, State &state) const;
 
-    /// r -= F_ext(t): tractions and body force.
+    /// r -= F_ext(t): tractions, isotonic loads, spread evenly over their faces, and body force.
     void subtract_external(double t, Side side, Vector &r) const;
     bool any_external() const { return body_force_ != nullptr || !tractions_.empty(); }
 
     /// Power of the tractions and of the body force at velocity @p v on this rank [W].
-    double traction_power(double t, const Vector &v) const; ///< of pressures too
+    double traction_power(double t, const Vector &v) const; ///< of pressures and of isotonic loads too
     double body_force_power(double t, const Vector &v) const;
 
   private:
@@ -38,7 +38,8 @@ namespace myolines
     struct Traction
     {
       const BoundaryCondition     *condition;
-      std::optional<VectorFormula> formula; ///< of a traction; else a pressure
+      std::optional<VectorFormula> formula;  ///< of a traction by formulas
+      double                       area = 1; ///< that a given force is spread over [m^2]
 
       /// Force per reference area at a point of the face.
       dealii::Tensor<1, 3> value(const dealii::Point<3> &x, const dealii::Tensor<1, 3> &normal, double t, double factor) const;

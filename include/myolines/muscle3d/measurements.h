@@ -60,7 +60,7 @@ namespace myolines
         0; ///< what the active stress would do isometrically, - int sigma0 a sA lam-dot/lam, positive while fibres shorten
     double dissipation      = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0
     double body_force_power = 0;
-    double traction_power   = 0;
+    double traction_power   = 0; ///< of pressures, isotonic loads and far ends of tendons too
   };
   /// Walks over the body only if it is active.
   Powers measure_powers(const Muscle3dSystem &system, const State &state);
@@ -74,6 +74,7 @@ namespace myolines
     double        stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
     double        stored_base       = 0; ///< int Yeoh energies, fat included [J]
     double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam, of the muscle [J]
+    double        stored_springs    = 0; ///< in elastic foundations and tendons at faces [J]
     double        stored_tendinous  = 0; ///< int sigma0 int sT/lam dlam from rest, of aponeurosis and tendon [J]
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
@@ -93,8 +94,9 @@ namespace myolines
   /// Estimate (6.2.15) of the force that acts on @p face from the quadrature points of the cell nearest to it [N].
   Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);
 
-  /// Force with which each boundary condition that prescribes motion pulls on the muscle: the residual summed over its
-  /// components [N], in the order of the scene. An unknown on a shared edge belongs to the later condition.
+  /// Force with which each boundary condition that prescribes or ties motion pulls on the muscle: the residual summed over its
+  /// components [N], in the order of the scene. An unknown on a shared edge belongs to the later condition. Isotonic loads and
+  /// tendons add the force with which they pull; that of a foundation is that of its springs, which do no work of their own.
   struct Reaction
   {
     std::string          condition;

@@ -17,6 +17,7 @@ namespace myolines
   struct CellSweep;
   class PointMaterials;
   class Loads;
+  class SurfaceForces;
 
   /// The 3D muscle as a second-order system in the displacement alone (physics page 1, thesis chapters 5-6):
   ///
@@ -45,6 +46,7 @@ namespace myolines
     const Muscle3dParameters     &parameters() const { return parameters_; }
     const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }
     const Loads                  &loads() const { return *loads_; }
+    const SurfaceForces          &surface_forces() const { return *surface_forces_; }
     CellSweep                     sweep() const; ///< of the kernels over the body
     std::size_t                   n_cells() const;
     /// Activation at time t, 0 without one.
@@ -69,6 +71,7 @@ namespace myolines
     std::shared_ptr<Muscle3dDiscretisation> discretisation_; ///< that of its implicit parts too
     std::unique_ptr<PointMaterials>         materials_;
     std::unique_ptr<Loads>                  loads_;
+    std::unique_ptr<SurfaceForces>          surface_forces_;
   };
 
   /// Sizes of a muscle, estimated from its parameters before anything is made. Numbers, as they may be beyond all integers.

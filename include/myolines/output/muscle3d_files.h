@@ -49,7 +49,7 @@ namespace myolines
   ///
   /// At a kink of a drive the power has two limits and the one before it is used: an error of first order in the one step
   /// that follows.
-  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder);
+  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
   /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row; not a
   /// number while fibres are at rest. Physiological: 1 unless fibres change length faster than their maximum strain rate, 0 then.

@@ -25,9 +25,10 @@ namespace myolines
   {
     PatchMatrices       &patches; ///< symmetric parts of the principal submatrices of overlapping patches, not inverted yet
     const Interpolation &interpolation;
-    const SparseMatrix  &coarse;        ///< P^T J P
-    const MultilevelData coarse_data;   ///< of the coarse matrix
-    Vector               coarse_layout; ///< any vector of the coarse space
+    const SparseMatrix  &coarse;             ///< P^T J P
+    const MultilevelData coarse_data;        ///< of the coarse matrix
+    Vector               coarse_layout;      ///< any vector of the coarse space
+    const Constraints   &coarse_constraints; ///< what relates its unknowns: coarse vectors are C q before P
 
     /// y = J x, full length, of a cheaper J close to the true one (say of lower quadrature) at the state of the patches;
     /// empty where the true one is cheap enough. @p x needs current ghosts.

@@ -9,6 +9,12 @@ namespace myolines
   /// (errata 21); with exact rates and an impulse v = 0 is what the boundary jumps from in start_piece().
   State starting_state(const SemiDiscreteSystem &system, double t0, BoundaryRates rates, StartVelocity start_velocity);
 
+  /// Makes the displacement of @p state the one at rest: R(t, u, 0, 0) = 0 with the loads and prescribed displacements of the right
+  /// limit at its time; u need not be close, and v and a stay. Newton's method starts from the undeformed body, all at once; where
+  /// that fails the residual there is taken away in smaller and smaller parts, R(u) = (1 - s) R(0). Ledger: "starts from
+  /// equilibrium", "load steps of the start". @throws SolveError if no part gets on.
+  void start_from_equilibrium(const IntegratorContext &context, State &state);
+
   /// Beginning of a smooth piece. Prescribed unknowns of @p state take their right limits, unless scheme rates and an impulse
   /// are asked for. With exact rates and an impulse the velocities of the free unknowns jump too, M_ff dv_f = -M_fc dv_c, where
   /// the system has inertia. @throws SolveError if the mass cannot be inverted.

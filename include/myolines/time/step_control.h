@@ -41,6 +41,7 @@ namespace myolines
 
   BoundaryRates boundary_rates(const scene::Node &time);
   StartVelocity start_velocity(const scene::Node &time);
+  bool          starts_from_equilibrium(const scene::Node &time);
 
   /// Piece "count x size" of a schedule such as "4 x 0.025; 8 x 0.0125".
   struct SchedulePiece

@@ -1,0 +1,344 @@
+// Boundary conditions in whole runs, against closed forms and against other ways to say the same.
+#include "simulation.h"
+
+#include <myolines/materials/curves.h>
+#include <myolines/muscle3d/measurements.h>
+#include <myolines/system/drive_types.h>
+
+namespace myolines
+{
+  namespace
+  {
+    using Condition = BoundaryCondition;
+    using Type      = Condition::Type;
+    using Vector3   = dealii::Tensor<1, 3>;
+
+    Condition condition(const Type type, const unsigned int face)
+    {
+      Condition c;
+      c.name       = "face " + std::to_string(face);
+      c.type       = type;
+      c.face       = face;
+      c.components = {{false, false, false}};
+      return c;
+    }
+
+    Condition load(const Type type, const unsigned int face, const double size)
+    {
+      Condition c = condition(type, face);
+      c.load      = size;
+      return c;
+    }
+
+    Condition held(const unsigned int face, const bool x = true, const bool y = true, const bool z = true)
+    {
+      Condition c  = condition(Type::fixed, face);
+      c.components = {{x, y, z}};
+      return c;
+    }
+
+    /// A passive isotropic bar of 3 x 1 x 1 cm on symmetry planes.
+    Muscle3dParameters bar(const std::vector<Condition> &more)
+    {
+      Muscle3dParameters p    = test::small_block(2, 3, 0);
+      p.geometry.cells        = {{2, 1, 1}};
+      p.dynamic               = false;
+      p.activation            = nullptr;
+      p.muscle().fibre.sigma0 = 0;
+      p.boundary              = {condition(Type::symmetry, 2), condition(Type::symmetry, 4)};
+      p.boundary.insert(p.boundary.end(), more.begin(), more.end());
+      return p;
+    }
+
+    Vector3 displacement(const test::Simulation &simulation, const dealii::Point<3> &x)
+    {
+      return MarkerProbe(simulation.system, {{"marker", x}}, "test").displacements(simulation.state)[0];
+    }
+
+    const dealii::Point<3> corner(0.03, 0.01, 0.01);
+
+    TEST(FollowerPressure, CompressesEvenlyAsInClosedForm)
+    {
+      Muscle3dParameters p    = bar({condition(Type::symmetry, 0)});
+      p.muscle().bulk_modulus = 1e6;
+      const double pressure   = 2e5; // the edges of dead loads would be wrong by J^(2/3)
+      for (const unsigned int face : {1u, 3u, 5u})
+        p.boundary.push_back(load(Type::follower_pressure, face, pressure));
+      test::Simulation simulation(p);
+      simulation.go("static", 1, 1., [](const State &) {});
+      // kappa/2 (J - 1/J) = -pressure
+      const double x = pressure / 1e6, J = std::sqrt(x * x + 1) - x, stretch = std::cbrt(J);
+      const auto   u = displacement(simulation, corner);
+      for (unsigned int c = 0; c < 3; ++c)
+        EXPECT_NEAR(u[c], (stretch - 1) * corner[c], 1e-12);
+      EXPECT_NEAR(measure_reactions(simulation.system, simulation.state).back().force[0], pressure * 1e-4 * stretch * stretch, 1e-9);
+    }
+
+    TEST(FollowerPressure, OnAClosedSurfacePullsNowhere)
+    {
+      Muscle3dParameters p = test::small_block(2, 3, 1);
+      p.activation         = nullptr;
+      for (unsigned int face = 0; face < 6; ++face)
+        p.boundary.push_back(load(Type::follower_pressure, face, 1e4));
+      WorkLedger     ledger;
+      Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
+      system.move_mesh(test::distort);
+      State state = system.initial_state(0);
+      test::randomise(state.u, 2e-4, 1);
+      Vector3 sum, moment;
+      Vector  r(state.u), s(state.u);
+      ASSERT_TRUE(system.residual({0, Side::left, state.u, state.v, state.a}, r).admissible);
+      const auto &space = *system.discretisation().space;
+      double      size  = 0;
+      for (const auto node : space.nodes().locally_owned_dofs())
+        {
+          const Vector3 f({r(3 * node), r(3 * node + 1), r(3 * node + 2)}),
+              u({state.u(3 * node), state.u(3 * node + 1), state.u(3 * node + 2)});
+          sum += f;
+          moment += cross_product_3d(space.node_position(node) + u, f);
+          size += f.norm();
+        }
+      size = dealii::Utilities::MPI::sum(size, MPI_COMM_WORLD);
+      EXPECT_LT(dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD).norm(), 1e-12 * size);
+      EXPECT_LT(dealii::Utilities::MPI::sum(moment, MPI_COMM_WORLD).norm(), 1e-12 * size * 0.03);
+    }
+
+    TEST(Foundation, GivesWayByLoadOverStiffness)
+    {
+      Condition ground        = condition(Type::foundation, 0);
+      ground.normal_stiffness = 2e7;
+      ground.stiffness        = 1e7;
+      Condition        pull   = load(Type::directed_traction, 1, 1e4);
+      const auto       p      = bar({ground, pull});
+      test::Simulation simulation(p);
+      simulation.go("static", 1, 1., [](const State &) {});
+      // The bar thins on springs that hold it across: only their mean along x is known, from the balance of forces.
+      const auto reactions = measure_reactions(simulation.system, simulation.state);
+      EXPECT_NEAR(reactions[2].force[0], -1e4 * 1e-4, 1e-10);
+      EXPECT_EQ(reactions[2].power, 0);
+
+      ground.stiffness = 0;
+      test::Simulation sliding(bar({ground, pull}));
+      sliding.go("static", 1, 1., [](const State &) {});
+      for (const dealii::Point<3> x : {dealii::Point<3>(0, 0, 0), dealii::Point<3>(0, 0.01, 0.003)})
+        EXPECT_NEAR(displacement(sliding, x)[0], 1e4 / 2e7, 1e-13);
+      const BodyMeasures m = measure_body(sliding.system, sliding.state, SlabRule::quadrature_points);
+      EXPECT_NEAR(m.stored_springs, 1e-4 * 1e4 * 1e4 / (2 * 2e7), 1e-14);
+    }
+
+    TEST(Isotonic, StretchesABarLikeTheSameTraction)
+    {
+      test::Simulation force(bar({held(0, true, false, false), load(Type::isotonic, 1, 3.)})),
+          traction(bar({held(0, true, false, false), load(Type::directed_traction, 1, 3e4)}));
+      force.go("static", 1, 1., [](const State &) {});
+      traction.go("static", 1, 1., [](const State &) {});
+      EXPECT_GT(displacement(force, corner)[0], 1e-3);
+      EXPECT_LT((displacement(force, corner) - displacement(traction, corner)).norm(), 1e-12);
+      const auto reactions = measure_reactions(force.system, force.state);
+      EXPECT_NEAR(reactions[2].force[0], -3, 1e-9);
+      EXPECT_NEAR(reactions[3].force[0], 3, 1e-9);
+    }
+
+    /// An active pennate block that shortens against a load: the face stays plane, and both ends pull with the load.
+    TEST(Isotonic, FaceOfAnActiveBlockStaysPlane)
+    {
+      for (const bool across : {false, true})
+        {
+          Muscle3dParameters p = test::small_block(2, 3, 1);
+          p.dynamic            = false;
+          Condition pull       = load(Type::isotonic, 1, 2.);
+          pull.held_across     = across;
+          p.boundary           = {held(0), pull};
+          test::Simulation simulation(p);
+          simulation.go("static", 1, 1., [](const State &) {});
+          const Vector3 u = displacement(simulation, corner), v = displacement(simulation, dealii::Point<3>(0.03, 0.004, 0.001));
+          EXPECT_LT(u[0], -1e-4);
+          EXPECT_NEAR(u[0], v[0], 1e-15);
+          EXPECT_EQ(std::abs(u[1]) + std::abs(u[2]) == 0, across);
+          const auto reactions = measure_reactions(simulation.system, simulation.state);
+          EXPECT_NEAR(reactions[0].force[0], -2, 1e-8);
+          EXPECT_NEAR(reactions[1].force[0], 2, 1e-8);
+          EXPECT_NEAR((reactions[0].force + reactions[1].force).norm(), 0, 1e-8);
+        }
+    }
+
+    TEST(TendonSpring, IsInEquilibriumWithTheBar)
+    {
+      Condition tendon = condition(Type::tendon, 1);
+      tendon.spring    = make_linear_spring(1500);
+      tendon.profile   = std::make_shared<test::ConstantDrive>(0.004);
+      test::Simulation simulation(bar({held(0, true, false, false), tendon}));
+      simulation.go("static", 1, 1., [](const State &) {});
+      const double q = displacement(simulation, corner)[0], F = 1500 * (0.004 - q);
+      EXPECT_GT(q, 1e-3);
+      EXPECT_NEAR(measure_reactions(simulation.system, simulation.state)[3].force[0], F, 1e-9);
+      EXPECT_NEAR(measure_body(simulation.system, simulation.state, SlabRule::quadrature_points).stored_springs, F * F / 3000, 1e-12);
+      test::Simulation pulled(bar({held(0, true, false, false), load(Type::isotonic, 1, F)}));
+      pulled.go("static", 1, 1., [](const State &) {});
+      EXPECT_NEAR(displacement(pulled, corner)[0], q, 1e-11);
+    }
+
+    TEST(TendonSpring, LawsAreConsistent)
+    {
+      const auto tendon = make_tendinous_spring(40, 0.1);
+      EXPECT_DOUBLE_EQ(tendon->force(0), 0.4);
+      EXPECT_DOUBLE_EQ(tendon->force(0.012), 40 * curves::tendon(1.12).value);
+      EXPECT_EQ(tendon->energy(0), 0);
+      for (const double s : {-0.01, 0.0005, 0.0015, 0.01, 0.02})
+        {
+          const double h = 1e-7;
+          EXPECT_NEAR((tendon->energy(s + h) - tendon->energy(s - h)) / (2 * h), tendon->force(s), 1e-6 * (1 + tendon->force(s)));
+          EXPECT_NEAR((tendon->force(s + h) - tendon->force(s - h)) / (2 * h), tendon->slope(s), 1e-6 * (1 + tendon->slope(s)));
+        }
+    }
+
+    dealii::Tensor<2, 3> rotation()
+    {
+      const Vector3        axis({1. / 3, 2. / 3, -2. / 3});
+      dealii::Tensor<2, 3> R;
+      for (unsigned int c = 0; c < 3; ++c)
+        {
+          Vector3 e;
+          e[c]            = 1;
+          const Vector3 r = std::cos(0.8) * e + std::sin(0.8) * cross_product_3d(axis, e) + (1 - std::cos(0.8)) * (axis * e) * axis;
+          for (unsigned int a = 0; a < 3; ++a)
+            R[a][c] = r[a];
+        }
+      return R;
+    }
+
+    std::array<double, 3> turned(const dealii::Tensor<2, 3> &R, const std::array<double, 3> &v)
+    {
+      const Vector3 r = R * Vector3({v[0], v[1], v[2]});
+      return {{r[0], r[1], r[2]}};
+    }
+
+    /// An active block on three symmetry planes under an isotonic load and a foundation, turned in space.
+    Vector3 pulled_block(const dealii::Tensor<2, 3> &R)
+    {
+      Muscle3dParameters p       = test::small_block(2, 3, 1);
+      p.dynamic                  = false;
+      p.muscle().fibre.direction = turned(R, {{std::cos(0.4), 0, std::sin(0.4)}});
+      Condition pull             = load(Type::isotonic, 1, 1.5);
+      pull.direction             = turned(R, {{1, 0, 0}});
+      Condition ground           = condition(Type::foundation, 5);
+      ground.normal_stiffness    = 1e6;
+      p.boundary                 = {condition(Type::symmetry, 0), condition(Type::symmetry, 2), pull, condition(Type::symmetry, 4), ground};
+      test::Simulation simulation(p);
+      simulation.system.move_mesh([&](const dealii::Point<3> &x) { return dealii::Point<3>(R * x); });
+      simulation.state = simulation.system.initial_state(0);
+      simulation.go("static", 1, 1., [](const State &) {});
+      const auto reactions = measure_reactions(simulation.system, simulation.state);
+      EXPECT_NEAR((reactions[0].force + reactions[2].force + reactions[1].force + reactions[3].force + reactions[4].force).norm(), 0, 1e-8);
+      return transpose(R) * displacement(simulation, dealii::Point<3>(R * dealii::Point<3>(0.03, 0.004, 0.007)));
+    }
+
+    TEST(SymmetryPlane, ATurnedBlockDoesAsTheStraightOne)
+    {
+      const Vector3 straight = pulled_block(dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>())), turned = pulled_block(rotation());
+      EXPECT_GT(straight.norm(), 5e-4);
+      EXPECT_LT((straight - turned).norm(), 1e-9 * straight.norm());
+    }
+
+    /// Half of a block behind an oblique plane does as the whole one.
+    TEST(SymmetryPlane, HalfOfABodyDoesAsTheWhole)
+    {
+      const dealii::Tensor<2, 3> R   = rotation();
+      const auto                 run = [&](const bool half) {
+        Muscle3dParameters p       = test::small_block(2, 3, 0);
+        p.geometry.size            = {{0.02, half ? 0.01 : 0.02, 0.01}};
+        p.geometry.cells           = {{2, half ? 1u : 2u, 1}};
+        p.dynamic                  = false;
+        p.muscle().fibre.direction = turned(R, {{std::cos(0.4), 0, std::sin(0.4)}});
+        p.boundary                 = {held(0), load(Type::follower_pressure, 5, 5e3)};
+        if (half)
+          p.boundary.push_back(condition(Type::symmetry, 3)); // y+, the middle of the whole
+        test::Simulation simulation(p);
+        simulation.system.move_mesh([&](const dealii::Point<3> &x) { return dealii::Point<3>(R * x); });
+        simulation.state = simulation.system.initial_state(0);
+        simulation.go("static", 2, 1., [](const State &) {});
+        return displacement(simulation, dealii::Point<3>(R * dealii::Point<3>(0.02, 0.003, 0.01)));
+      };
+      const Vector3 whole = run(false), half = run(true);
+      EXPECT_GT(whole.norm(), 1e-4);
+      EXPECT_LT((whole - half).norm(), 1e-9 * whole.norm());
+    }
+
+    /// |drift| of the energy balance of a twitch against everything that stores, pulls and presses.
+    std::pair<double, double> drift(const unsigned int steps)
+    {
+      Muscle3dParameters p       = test::small_block(2, 3, 0);
+      p.geometry.cells           = {{2, 1, 1}};
+      p.muscle().fibre.direction = {{1, 0, 0}};
+      p.activation               = std::make_shared<SmoothStep>(0.4, 0., 0.05, 1.);
+      Condition tendon           = condition(Type::tendon, 1);
+      tendon.direction           = {{0.8, 0, 0.6}};
+      tendon.spring              = make_linear_spring(2000);
+      tendon.profile             = std::make_shared<SmoothStep>(0.001, 0., 0.05, 1.);
+      Condition ground           = condition(Type::foundation, 0);
+      ground.stiffness           = 3e6;
+      Condition press            = load(Type::follower_pressure, 3, 2e3);
+      press.profile              = std::make_shared<SmoothStep>(1., 0., 0.05, 1.);
+      p.boundary                 = {tendon, ground, press, condition(Type::symmetry, 2)};
+      test::Simulation run(p);
+      double           supplied = 0, rate = 0, t = 0, first = 0, energy = 0, largest = 0;
+      bool             started = false;
+      run.go("backward euler", steps, 0.05, [&](const State &state) {
+        const BodyMeasures m     = measure_body(run.system, state, SlabRule::quadrature_points);
+        double             power = m.active_power - m.dissipation + m.traction_power;
+        for (const Reaction &reaction : measure_reactions(run.system, state))
+          power += reaction.power;
+        energy = m.kinetic + m.stored_volumetric + m.stored_base + m.stored_passive + m.stored_springs;
+        if (started)
+          supplied += (state.t - t) * (power + rate) / 2;
+        else
+          first = energy;
+        started = true;
+        rate    = power;
+        t       = state.t;
+        largest = std::max(largest, energy);
+      });
+      return {energy - first - supplied, largest};
+    }
+
+    TEST(EnergyBalance, ClosesWithSpringsAndFollowerPressures)
+    {
+      const auto [coarse, scale] = drift(80);
+      const auto [fine, unused]  = drift(160);
+      (void) unused;
+      EXPECT_LT(std::abs(fine), 0.05 * scale);
+      EXPECT_NEAR(coarse / fine, 2., 0.3) << coarse << " " << fine << " of " << scale;
+    }
+
+    /// A free body under an isotonic force accelerates as F / m at its centre, whatever the kind of step, and its relations hold for every
+    /// rate.
+    TEST(Isotonic, AcceleratesAFreeBody)
+    {
+      Muscle3dParameters p = test::small_block(1, 2, 0);
+      p.activation         = nullptr;
+      Condition pull       = load(Type::isotonic, 1, 0.01);
+      pull.direction       = {{0.6, 0, 0.8}};
+      p.boundary           = {pull};
+      for (const std::string method : {"backward euler", "newmark", "sdirk2", "bdf2"})
+        {
+          test::Simulation simulation(p);
+          Vector           momentum(simulation.state.u), ones(simulation.state.u);
+          simulation.go(method, 8, 0.02, [](const State &) {});
+          const auto linearisation = simulation.system.make_linearisation();
+          simulation.system.linearise({0, Side::left, simulation.state.u, simulation.state.v, simulation.state.a}, *linearisation);
+          linearisation->apply(stage_weights(0, 0, 1), simulation.state.v, momentum);
+          for (const auto i : ones.locally_owned_elements())
+            ones(i) = i % 3 == 0 ? 0.6 : i % 3 == 1 ? 0. : 0.8;
+          EXPECT_NEAR(momentum * ones, 0.01 * 0.02, 1e-9 * 0.01 * 0.02) << method;
+          for (const Vector *x : {&simulation.state.u, &simulation.state.v, &simulation.state.a})
+            {
+              State relaxed = simulation.state;
+              relaxed.u     = *x;
+              simulation.system.prescribed(0, Side::left, relaxed);
+              relaxed.u -= *x;
+              EXPECT_LT(relaxed.u.linfty_norm(), 1e-12 * (x->linfty_norm() + 1e-9)) << method;
+            }
+        }
+    }
+  } // namespace
+} // namespace myolines
