@@ -243,6 +243,14 @@ namespace myolines
       settings.push_back({path + "/points", join(read_rows(file, 0, 2, "\"t value\", two finite numbers"), "; ")});
     }
 
+    void add_mesh(Settings &settings, const PeerParameters &peer, const FlexodealOptions &options)
+    {
+      settings.push_back({"system/geometry/type", "gmsh"});
+      settings.push_back({"system/geometry/file", std::filesystem::proximate(options.mesh, options.scene.parent_path()).string()});
+      settings.push_back({"system/geometry/scale", format_number(peer.positive("Geometry", "Grid scale"))});
+      settings.push_back({"system/geometry/refinement", std::to_string(peer.integer("Geometry", "Global refinement", 0, 8))});
+    }
+
     void add_geometry(Settings &settings, const PeerParameters &peer, std::ostream &out)
     {
       const std::vector<std::pair<const char *, const char *>> of_block{{"Length", "length"}, {"Width", "width"}, {"Height", "height"}},
@@ -261,16 +269,17 @@ namespace myolines
     }
 
     /// The line of action of the peer is x, so its ends are the faces 0 and 1.
-    void add_boundary(Settings &settings, const PeerParameters &peer, const std::filesystem::path &strain)
+    void add_boundary(Settings &settings, const PeerParameters &peer, const FlexodealOptions &options)
     {
-      const int         face   = peer.integer("Prescribed displacement", "Pulling face ID", 0, 1);
-      const std::string moving = "system/boundary/moving end", fixed = "system/boundary/fixed end";
-      settings.push_back({moving + "/face", face == 1 ? "x+" : "x-"});
+      const std::vector<std::string> ends   = options.mesh.empty() ? std::vector<std::string>{"x-", "x+"} : options.ends;
+      const int                      face   = peer.integer("Prescribed displacement", "Pulling face ID", 0, 1);
+      const std::string              moving = "system/boundary/moving end", fixed = "system/boundary/fixed end";
+      settings.push_back({moving + "/face", ends[face]});
       settings.push_back({moving + "/type", "strain"});
       settings.push_back({moving + "/components", "x y z"});
       settings.push_back({moving + "/direction", face == 1 ? "1 0 0" : "-1 0 0"});
-      add_profile(settings, moving + "/strain", strain);
-      settings.push_back({fixed + "/face", face == 1 ? "x-" : "x+"});
+      add_profile(settings, moving + "/strain", options.strain);
+      settings.push_back({fixed + "/face", ends[1 - face]});
       settings.push_back({fixed + "/type", "fixed"});
       settings.push_back({fixed + "/components", "x y z"});
     }
@@ -333,8 +342,11 @@ namespace myolines
       for (const Rule &rule : peer.rules())
         if (rule.path[0] != '\0')
           settings.push_back({rule.path, peer.text(rule.section, rule.name)});
-      add_geometry(settings, peer, out);
-      add_boundary(settings, peer, options.strain);
+      if (options.mesh.empty())
+        add_geometry(settings, peer, out);
+      else
+        add_mesh(settings, peer, options);
+      add_boundary(settings, peer, options);
       add_profile(settings, "system/activation", options.activation);
       add_time(settings, peer, options.steps, out);
       if (!options.points.empty())

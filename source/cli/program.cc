@@ -184,6 +184,11 @@ namespace myolines
         command->add_option("--out", flexodeal_.scene, "The scene to write")->required()->type_name("SCENE.xml");
         command->add_option("--markers", flexodeal_.markers, "Its list of markers")->type_name("FILE");
         command->add_option("--qp-table", flexodeal_.points, "Its CSV file of properties at quadrature points")->type_name("FILE");
+        CLI::Option *mesh =
+            command->add_option("--mesh", flexodeal_.mesh, "A Gmsh file instead of the body of the parameters")->type_name("FILE.msh");
+        CLI::Option *ends = command->add_option("--ends", flexodeal_.ends, "Names of its physical surfaces that are the faces x- and x+");
+        ends->expected(2)->type_name("SURFACE SURFACE")->needs(mesh);
+        mesh->needs(ends);
         command->add_option("--steps", flexodeal_.steps, "Schedule of steps instead of its step size: \"4 x 0.025; 8 x 0.0125\"")
             ->type_name("STEPS");
       }

@@ -159,6 +159,31 @@ namespace myolines
     return powers;
   }
 
+  MiddleSize measure_middle(const Muscle3dSystem &system, const State &state)
+  {
+    const NodeSpace      &space  = *system.discretisation().space;
+    const Geometry       &body   = system.parameters().geometry;
+    const double          length = body.size[0];
+    std::array<double, 4> far{}; // -min and max along y, along z
+    far.fill(std::numeric_limits<double>::lowest());
+    for (const auto node : space.nodes().locally_owned_dofs())
+      {
+        const dealii::Point<3> &X = space.node_position(node);
+        const double            x = X[0] - body.start();
+        if (x < 3. / 8 * length * (1 - 1e-12) || x > 5. / 8 * length * (1 + 1e-12))
+          continue;
+        for (unsigned int c = 0; c < 2; ++c)
+          {
+            const double place = X[c + 1] + state.u(3 * node + c + 1);
+            far[2 * c]         = std::max(far[2 * c], -place);
+            far[2 * c + 1]     = std::max(far[2 * c + 1], place);
+          }
+      }
+    for (double &x : far)
+      x = dealii::Utilities::MPI::max(x, space.communicator());
+    return {far[0] + far[1], far[2] + far[3]};
+  }
+
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state)
   {
     const NodeSpace &space = *system.discretisation().space;

@@ -36,6 +36,8 @@ namespace myolines
           .boolean("stretch and pennation", true, "mean_stretch_pennation_data-3d.csv: slab averages (6.2.22), (6.2.25).")
           .boolean("gearing info", true, "gearing_info-3d.csv: velocities behind the gearing; dynamic systems only.")
           .boolean("gearing", false, "gearing.csv: G of (7.2.13) at every row; dynamic systems only.")
+          .boolean("shape", false,
+                   "shape.csv: width (y) and thickness (z) of the middle 3/8 L <= X <= 5/8 L, length, volume over that at rest.")
           .boolean("activation and length", true, "activation_muscle_length-3d.csv.")
           .choice("slab", "quadrature points", {"quadrature points", "whole cells"},
                   "Points of the slab averages: 3/8 L <= X <= 5/8 L by quadrature point (6.2.20), or by cell centre as Flexodeal does.");
@@ -84,6 +86,8 @@ namespace myolines
         files.push_back(gearing_info_file(folder, p));
       if (series.boolean("gearing"))
         files.push_back(gearing_file(folder, p));
+      if (series.boolean("shape"))
+        files.push_back(shape_file(folder, system));
       if (series.boolean("activation and length"))
         files.push_back(activation_file(folder, p));
       if (const std::vector<double> places = read_strain_places(series); !places.empty())

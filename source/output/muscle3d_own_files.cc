@@ -153,6 +153,19 @@ namespace myolines
                             });
   }
 
+  std::unique_ptr<SeriesFile> shape_file(const OutputFolder &folder, const Muscle3dSystem &system)
+  {
+    State still       = system.initial_state(0);
+    still.u           = 0;
+    const double rest = measure_body(system, still, SlabRule::quadrature_points).volume;
+    return make_series_file(
+        folder, "shape.csv", {"Time [s]", "Muscle length [m]", "Width [m]", "Thickness [m]", "Volume ratio"},
+        [rest](const Muscle3dSample &sample) {
+          const MiddleSize middle = measure_middle(sample.system(), sample.state());
+          return std::vector<double>{sample.t(), sample.muscle_length(), middle.width, middle.thickness, sample.body().volume / rest};
+        });
+  }
+
   std::unique_ptr<SeriesFile> strain_file(const OutputFolder &folder, const Muscle3dSystem &system, const std::vector<double> &places)
   {
     const auto         &size = system.parameters().geometry.size;

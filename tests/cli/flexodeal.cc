@@ -42,6 +42,26 @@ namespace
   }
 } // namespace
 
+TEST(Flexodeal, AMeshReplacesTheBody)
+{
+  const TestFolder   folder;
+  std::ostringstream out;
+  FlexodealOptions   files = options(folder);
+  files.parameters         = changed(folder, "set Grid scale          = 1e-3", "set Grid scale = 1");
+  files.mesh               = MYOLINES_SOURCE_DIR "/input/gastrocnemius_running/gastrocnemius.msh";
+  files.ends               = {"proximal end", "distal end"};
+  import_flexodeal(files, out);
+  const scene::Node scene    = read_whole_scene(files.scene, {});
+  const auto       &geometry = scene.section("system").section("geometry");
+  EXPECT_EQ(geometry.text("type"), "gmsh");
+  EXPECT_EQ(geometry.number("scale"), 1);
+  const auto &conditions = scene.section("system").section("boundary").named();
+  EXPECT_EQ(conditions[0].text("face"), "distal end");
+  EXPECT_EQ(conditions[1].text("face"), "proximal end");
+  files.ends[1] = "nowhere";
+  EXPECT_NE(refusal(files).find("no face \"nowhere\""), std::string::npos);
+}
+
 TEST(Flexodeal, ParametersBecomeAScene)
 {
   const TestFolder   folder;

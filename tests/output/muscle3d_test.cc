@@ -39,12 +39,12 @@ namespace
   Muscle3dParameters block()
   {
     Muscle3dParameters p;
-    p.geometry.size       = {{0.03, 0.01, 0.02}};
-    p.geometry.cells      = {{8, 1, 1}};
-    p.geometry.refinement = 0;
-    p.n_points            = 3;
-    p.muscle().fibre.direction     = {{std::cos(pi / 6), 0, std::sin(pi / 6)}};
-    p.activation          = std::make_shared<Ramp>();
+    p.geometry.size            = {{0.03, 0.01, 0.02}};
+    p.geometry.cells           = {{8, 1, 1}};
+    p.geometry.refinement      = 0;
+    p.n_points                 = 3;
+    p.muscle().fibre.direction = {{std::cos(pi / 6), 0, std::sin(pi / 6)}};
+    p.activation               = std::make_shared<Ramp>();
     return p;
   }
 
@@ -99,6 +99,7 @@ TEST(MuscleOutputs, HomogeneousMotionHasItsClosedForms)
   WorkLedger           ledger;
   const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
   const auto           observers = make_outputs(output_scene(setting("all faces", "bool", "true") + setting("gearing", "bool", "true") +
+                                                             setting("shape", "bool", "true") +
                                                              setting("markers", "string", "corner 0.03 0.01 0.02; middle 0.015 0.005 0.01")),
                                                 system, folder.path, ledger);
   ASSERT_EQ(observers.size(), 1u);
@@ -126,6 +127,8 @@ TEST(MuscleOutputs, HomogeneousMotionHasItsClosedForms)
   near(row("displacements-3d.csv"), {0.1, 0.003, -0.0003, -0.0004, 0.0015, -0.00015, -0.0002}, "displacements");
   near(row("gearing_info-3d.csv"), {0.1, -0.06, -0.03, 0.0025, 0.0025, speed, e, fibre, 5, fibre * 5 * e, V0 / 4 * J}, "gearing info");
   near(row("gearing.csv"), {0.1, -speed, fibre * 5 * e, -speed / (fibre * 5 * e), std::abs(e) <= 1 ? 1. : 0.}, "gearing");
+
+  near(row("shape.csv"), {0.1, 0.033, 0.0097, 0.0196, J}, "shape");
 
   const std::vector<double> energy = row("energy_data-3d.csv");
   const double kinetic = 1060. / 2 * V0 * (4 * 0.03 * 0.03 + 0.25 * 0.01 * 0.01 + 0.0625 * 0.02 * 0.02) / 3; // int v^2 over the block
@@ -239,7 +242,7 @@ TEST(MuscleOutputs, RareRowsCostOnlyWhenWritten)
   WorkLedger           ledger;
   const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
   const auto           run = [&](const std::string &series) {
-    const auto before = ledger.counts();
+    const auto before    = ledger.counts();
     const auto observers = make_outputs(output_scene(setting("every", "int", "3") + series), system, folder.path, ledger);
     observers[0]->begin(homogeneous(system, 0, {}, {}));
     for (std::size_t i = 1; i <= 5; ++i)

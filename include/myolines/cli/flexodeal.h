@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace myolines
 {
@@ -16,6 +17,9 @@ namespace myolines
     std::filesystem::path markers;    ///< lines "name x y z" [m]; empty: none
     std::filesystem::path points;     ///< its "quadrature point data", CSV; empty: none
     std::string           steps;      ///< schedule; empty: the step size of the parameters
+
+    std::filesystem::path    mesh; ///< Gmsh file instead of the body of the parameters; empty: none
+    std::vector<std::string> ends; ///< names of its physical surfaces that are the faces 0 and 1, x- and x+; two with a mesh
   };
 
   /// Writes the scene of type "muscle 3d" that computes what that program would, with its boundary rates, points and

@@ -91,6 +91,14 @@ namespace myolines
   };
   BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule);
 
+  /// Size of the middle of the body: how far the nodes at rest positions X_1 in [3/8 L, 5/8 L] reach along y and along z [m].
+  struct MiddleSize
+  {
+    double width     = 0; ///< along y
+    double thickness = 0; ///< along z
+  };
+  MiddleSize measure_middle(const Muscle3dSystem &system, const State &state);
+
   /// Estimate (6.2.15) of the force that acts on @p face from the quadrature points of the cell nearest to it [N].
   Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);
 

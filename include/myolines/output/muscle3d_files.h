@@ -40,6 +40,9 @@ namespace myolines
 
   // Ours.
 
+  /// shape.csv: width and thickness of the middle, length, volume over that at rest.
+  std::unique_ptr<SeriesFile> shape_file(const OutputFolder &folder, const Muscle3dSystem &system);
+
   /// reaction.csv: per prescribing condition the force with which it pulls on the muscle.
   std::unique_ptr<SeriesFile> reaction_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
