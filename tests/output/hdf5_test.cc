@@ -12,6 +12,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <cmath>
+#include <fstream>
 
 using namespace myolines;
 
@@ -38,11 +39,11 @@ namespace
     static Muscle3dParameters parameters()
     {
       Muscle3dParameters p;
-      p.geometry.size       = {{0.03, 0.01, 0.02}};
-      p.geometry.cells      = {{3, 1, 2}};
-      p.geometry.refinement = 1;
-      p.n_points            = 3;
-      p.muscle().fibre.direction     = {{0.8, 0, 0.6}};
+      p.geometry.size            = {{0.03, 0.01, 0.02}};
+      p.geometry.cells           = {{3, 1, 2}};
+      p.geometry.refinement      = 1;
+      p.n_points                 = 3;
+      p.muscle().fibre.direction = {{0.8, 0, 0.6}};
       return p;
     }
 
@@ -118,6 +119,65 @@ TEST(QuadratureTables, HoldTheStateAtEveryPoint)
   dealii::HDF5::File hdf5((body.folder.path / file).string(), dealii::HDF5::File::FileAccessMode::open);
   EXPECT_EQ(hdf5.get_attribute<double>("Time [s]"), 0.25);
   EXPECT_EQ(hdf5.open_dataset("v1").get_attribute<std::string>("unit"), "m/s");
+}
+
+// Binary files of Flexodeal beside the same points in HDF5; its tensors: F, and a Kirchhoff stress that is the sum of its parts.
+TEST(QuadratureTables, HaveTheFormatOfFlexodeal)
+{
+  Stretched body;
+  body.write("quadrature", "all");
+  body.write("quadrature", "all", "<Parameter name=\"format\" type=\"string\" value=\"flexodeal\"/>");
+  const auto read = [&](const std::string &name) {
+    std::ifstream      stream(body.folder.path / name, std::ios::binary);
+    std::vector<float> values(std::filesystem::file_size(body.folder.path / name) / sizeof(float));
+    stream.read(reinterpret_cast<char *>(values.data()), values.size() * sizeof(float));
+    return values;
+  };
+  const std::size_t        n_points = 48 * 27, n_main = 21, n_tensors = 69;
+  const std::vector<float> main = read("cell_data_main-3d-000.data"), tensors = read("cell_data_tensors-3d-000.data");
+  ASSERT_EQ(main.size(), n_main * n_points);
+  ASSERT_EQ(tensors.size(), n_tensors * n_points);
+  const std::vector<std::string> columns{"qp_x",
+                                         "qp_y",
+                                         "qp_z",
+                                         "JxW",
+                                         "det_F",
+                                         "u1",
+                                         "u2",
+                                         "u3",
+                                         "v1",
+                                         "v2",
+                                         "v3",
+                                         "p",
+                                         "D",
+                                         "stretch",
+                                         "stretch_bar",
+                                         "strain_rate",
+                                         "strain_rate_bar",
+                                         "orientation_x",
+                                         "orientation_y",
+                                         "orientation_z"};
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    {
+      const auto values = body.list("quadrature-0000.h5", columns[c]);
+      for (std::size_t i = 0; i < n_points; ++i)
+        ASSERT_EQ(main[n_main * i + c], static_cast<float>(values(i))) << columns[c] << ", point " << i;
+    }
+  for (std::size_t i = 0; i < n_points; ++i)
+    {
+      const float *row = &tensors[n_tensors * i];
+      ASSERT_NEAR(row[5], 1.1, 1e-6);
+      ASSERT_EQ(row[6], 0);
+      ASSERT_NEAR(row[13], 0.98, 1e-6);
+      for (unsigned int k = 0; k < 9; ++k)
+        {
+          const double scale = 1e-5 * std::abs(row[14]);
+          ASSERT_NEAR(row[14 + k], row[23 + k] + row[32 + k], scale);
+          ASSERT_NEAR(row[32 + k], row[41 + k] + row[50 + k] + row[59 + k], scale);
+        }
+      ASSERT_EQ(row[68], 1);
+      ASSERT_EQ(main[n_main * i + 20], 1);
+    }
 }
 
 TEST(QuadratureTables, HoldOnlyTheColumnsAskedFor)
