@@ -56,30 +56,12 @@ TEST(Muscle1d, isLinearisedExactlyWithItsActivation)
       WorkLedger           ledger;
       const Muscle1dSystem system(
           of_continuum ? continuum({"elements=2", "degree=3", "activation=unknown"}) : unit({"masses=3", "activation=unknown"}), ledger);
-      const State state         = somewhere(system);
-      const auto  linearisation = system.make_linearisation();
-      system.linearise({state.t, Side::left, state.u, state.v, state.a}, *linearisation);
-      // weights 1 of every order: taylor_error() would give those of first order no mass, which they have not
-      Vector x(state.u), y(state.u);
+      const State state = somewhere(system);
+      Vector      x(state.u);
       for (unsigned int i = 0; i < x.size(); ++i)
         x(i) = 1e-4 * std::cos(2. * i + 0.1);
       for (const Weights w : {Weights{1, 0, 0}, Weights{0, 1, 0}, Weights{0, 0, 1}})
-        {
-          linearisation->apply({{w, w, w}}, x, y);
-          const double h     = w.u != 0 ? 1e-2 : 1;
-          const auto   moved = [&](const double size) {
-            State s = state;
-            s.u.add(size * w.u, x);
-            s.v.add(size * w.v, x);
-            s.a.add(size * w.a, x);
-            return residual_at(system, s);
-          };
-          Vector difference = moved(h);
-          difference -= moved(-h);
-          difference *= 1 / (2 * h);
-          difference -= y;
-          EXPECT_LT(difference.l2_norm(), 1e-5 * y.l2_norm());
-        }
+        EXPECT_LT(taylor_error(system, state, {{w, w, w}}, w, x, w.u != 0 ? 1e-2 : 1), 1e-5);
     }
 }
 

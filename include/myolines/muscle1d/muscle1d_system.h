@@ -20,6 +20,8 @@ namespace myolines
     continuum ///< the consistent mass of the density, thesis (3.3.6)
   };
 
+  class StoredBands;
+
   /// A tendon in series with the muscle; together they have a given length.
   struct Tendon
   {
@@ -109,6 +111,7 @@ namespace myolines
 
     /// Values of all nodes, the fixed ones too.
     void scatter(const Vector &x, std::vector<double> &nodes) const;
+    void add_mass(StoredBands &bands) const;
     void add_inertia(const Vector &acceleration, std::vector<double> &a, std::vector<double> &force) const;
 
     Muscle1dParameters             parameters_;
