@@ -11,6 +11,8 @@ namespace myolines
   {
     unsigned int n_free_nodes(const Muscle1dParameters &p) { return p.n_elements * p.degree - (p.tendon ? 0 : 1); }
 
+    bool is_continuum(const Muscle1dParameters &p) { return p.mass_of == MassOf::lumped || p.mass_of == MassOf::consistent; }
+
     unsigned int n_unknowns_of(const Muscle1dParameters &p) { return n_free_nodes(p) + (p.activation == nullptr ? p.n_elements : 0); }
   } // namespace
 
@@ -18,8 +20,9 @@ namespace myolines
     : parameters_(std::move(parameters))
     , ledger_(ledger)
     , element_(std::make_unique<Element>(parameters_.degree, parameters_.optimal_length / parameters_.n_elements,
-                                         parameters_.mass_of == MassOf::continuum ? parameters_.degree + 1 : parameters_.degree,
-                                         parameters_.mass_of == MassOf::continuum ? parameters_.mass / parameters_.optimal_length : 0))
+                                         is_continuum(parameters_) ? parameters_.degree + 1 : parameters_.degree,
+                                         is_continuum(parameters_) ? parameters_.mass / parameters_.optimal_length : 0,
+                                         parameters_.mass_of == MassOf::lumped))
     , point_mass_(parameters_.mass_of == MassOf::points ? parameters_.mass / n_free_nodes(parameters_) : 0)
     , layout_(dealii::complete_index_set(n_unknowns_of(parameters_)), MPI_COMM_SELF)
   {

@@ -76,19 +76,37 @@ TEST(Muscle1d, startsInBalance)
     }
 }
 
-// One element of degree 1 is, but for its mass, the chain of one mass; the consistent mass of one is a third.
-TEST(Muscle1d, continuumOfOneElementIsTheMassOfOneThird)
+// One element of degree 1 is, but for its mass, the chain of one mass: half of it lumped, a third consistent.
+TEST(Muscle1d, continuumOfOneElementIsOneSmallerMass)
 {
   WorkLedger           ledger;
-  const Muscle1dSystem chain(unit({"masses=1"}), ledger), element(continuum({"elements=1", "degree=1"}), ledger);
-  State                state = somewhere(chain);
-  Vector               r1 = residual_at(chain, state), r2 = residual_at(element, state);
-  EXPECT_NEAR(r1(0) - r2(0), 2. / 3 * chain.parameters().mass * state.a(0), 1e-12 * chain.parameters().maximum_force);
+  const Muscle1dSystem chain(unit({"masses=1"}), ledger);
+  const State          state = somewhere(chain);
+  for (const auto &[mass, part] : {std::pair("lumped", 1. / 2), std::pair("consistent", 1. / 3)})
+    {
+      const Muscle1dSystem element(continuum({"elements=1", "degree=1", std::string("mass=") + mass}), ledger);
+      const Vector         r1 = residual_at(chain, state), r2 = residual_at(element, state);
+      EXPECT_NEAR(r1(0) - r2(0), (1 - part) * chain.parameters().mass * state.a(0), 1e-12 * chain.parameters().maximum_force);
+    }
+}
+
+// Of degree 1 and with lumped mass the continuum is the chain but for half the mass at its end: nothing else tells them apart.
+TEST(Muscle1d, lumpedContinuumIsTheChainButForItsEnd)
+{
+  WorkLedger           ledger;
+  const Muscle1dSystem chain(unit({"masses=9"}), ledger), element(continuum({"elements=9", "degree=1"}), ledger);
+  const State          state      = somewhere(chain);
+  Vector               difference = residual_at(chain, state);
+  difference -= residual_at(element, state);
+  EXPECT_NEAR(difference(8), chain.parameters().mass / 18 * state.a(8), 1e-12 * chain.parameters().maximum_force);
+  difference(8) = 0;
+  EXPECT_LT(difference.linfty_norm(), 1e-12 * chain.parameters().maximum_force);
 }
 
 TEST(Muscle1d, totalMassMoves)
 {
-  for (const Muscle1dParameters &p : {unit({"masses=5"}), continuum({"elements=3", "degree=5"})})
+  for (const Muscle1dParameters &p :
+       {unit({"masses=5"}), continuum({"elements=3", "degree=5"}), continuum({"elements=3", "degree=5", "mass=consistent"})})
     {
       WorkLedger           ledger;
       const Muscle1dSystem system(p, ledger);
