@@ -37,7 +37,7 @@ namespace myolines
         text += "  error of a step: by step doubling\n";
       text += facts.dynamic ? "" : "  ignores inertia and rates\n";
       text +=
-          facts.second_order_only ? "  for unknowns of second order only, in systems with inertia\n" : "  for unknowns of every order\n";
+          facts.second_order_only ? "  made for unknowns of second order, in systems with inertia\n" : "  for unknowns of every order\n";
       if (facts.solves == MethodFacts::Solves::linear_systems)
         text += "  solves linear systems and does not iterate\n";
       if (facts.solves == MethodFacts::Solves::mass)

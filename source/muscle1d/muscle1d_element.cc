@@ -5,7 +5,8 @@
 
 namespace myolines
 {
-  Muscle1dSystem::Element::Element(const unsigned int degree, const double length, const unsigned int n_points, const double density)
+  Muscle1dSystem::Element::Element(const unsigned int degree, const double length, const unsigned int n_points, const double density,
+                                   const bool lumped)
     : n(degree + 1)
     , h(length)
   {
@@ -21,10 +22,10 @@ namespace myolines
     if (density == 0)
       return;
     mass.assign(n, std::vector<double>(n, 0.));
-    const dealii::QGauss<1> exact(n);
+    const dealii::Quadrature<1> rule = lumped ? dealii::Quadrature<1>(dealii::QGaussLobatto<1>(n)) : dealii::QGauss<1>(n);
     for (unsigned int q = 0; q < n; ++q)
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int j = 0; j < n; ++j)
-          mass[i][j] += density * h * exact.weight(q) * shapes[i].value(exact.point(q)[0]) * shapes[j].value(exact.point(q)[0]);
+          mass[i][j] += density * h * rule.weight(q) * shapes[i].value(rule.point(q)[0]) * shapes[j].value(rule.point(q)[0]);
   }
 } // namespace myolines

@@ -1,5 +1,6 @@
 #include "muscle1d_element.h"
-#include "muscle1d_linearisation.h"
+
+#include <myolines/system/band_linearisation.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -10,6 +11,8 @@ namespace myolines
   {
     unsigned int n_free_nodes(const Muscle1dParameters &p) { return p.n_elements * p.degree - (p.tendon ? 0 : 1); }
 
+    bool is_continuum(const Muscle1dParameters &p) { return p.mass_of == MassOf::lumped || p.mass_of == MassOf::consistent; }
+
     unsigned int n_unknowns_of(const Muscle1dParameters &p) { return n_free_nodes(p) + (p.activation == nullptr ? p.n_elements : 0); }
   } // namespace
 
@@ -17,8 +20,9 @@ namespace myolines
     : parameters_(std::move(parameters))
     , ledger_(ledger)
     , element_(std::make_unique<Element>(parameters_.degree, parameters_.optimal_length / parameters_.n_elements,
-                                         parameters_.mass_of == MassOf::continuum ? parameters_.degree + 1 : parameters_.degree,
-                                         parameters_.mass_of == MassOf::continuum ? parameters_.mass / parameters_.optimal_length : 0))
+                                         is_continuum(parameters_) ? parameters_.degree + 1 : parameters_.degree,
+                                         is_continuum(parameters_) ? parameters_.mass / parameters_.optimal_length : 0,
+                                         parameters_.mass_of == MassOf::lumped))
     , point_mass_(parameters_.mass_of == MassOf::points ? parameters_.mass / n_free_nodes(parameters_) : 0)
     , layout_(dealii::complete_index_set(n_unknowns_of(parameters_)), MPI_COMM_SELF)
   {
@@ -152,7 +156,7 @@ namespace myolines
     if (solves_activation())
       for (unsigned int e = 0; e < parameters_.n_elements; ++e)
         orders[of_activation(e)] = 1;
-    return std::make_unique<Muscle1dLinearisation>(orders, parameters_.degree + (solves_activation() ? 1 : 0), ledger_);
+    return std::make_unique<StoredBands>(orders, parameters_.degree + (solves_activation() ? 1 : 0), std::vector<unsigned int>{}, ledger_);
   }
 
   void Muscle1dSystem::linearise(const Point &point, Linearisation &linearisation) const
@@ -160,7 +164,7 @@ namespace myolines
     const WorkLedger::Timer timer(ledger_, "linearisation");
     ledger_.count("linearisations");
     const Muscle1dParameters &p     = parameters_;
-    auto                     &bands = dynamic_cast<Muscle1dLinearisation &>(linearisation);
+    auto                     &bands = dynamic_cast<StoredBands &>(linearisation);
     bands.begin();
     const double        given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
     std::vector<double> u, v;
@@ -190,25 +194,33 @@ namespace myolines
                   bands.stiffness(row, own) += unit * f.by_activation * q.slope[i] / p.optimal_length;
               }
           }
-        for (unsigned int i = 0; i < element_->mass.size(); ++i)
-          for (unsigned int j = 0; j < element_->n; ++j)
-            if (is_free(begin + i) && is_free(begin + j))
-              bands.mass(of_node(begin + i), of_node(begin + j)) += element_->mass[i][j];
         if (solves_activation())
           {
             bands.stiffness(own, own) = p.maximum_force * p.zajac.decay(p.excitation->value(point.t, point.side)) / p.optimal_length;
             bands.damping(own, own)   = p.maximum_force * p.zajac.time_constant / p.optimal_length;
           }
       }
-    if (point_mass_ > 0)
-      for (unsigned int node = 1; node < n_nodes(); ++node)
-        if (is_free(node))
-          bands.mass(of_node(node), of_node(node)) = point_mass_;
+    if (!bands.has_mass())
+      add_mass(bands);
     if (p.tendon)
       {
         const unsigned int end = of_node(n_nodes() - 1);
         bands.stiffness(end, end) += p.maximum_force / p.tendon->optimal_length * tendon(point.t, point.side, u.back()).slope;
       }
+  }
+
+  void Muscle1dSystem::add_mass(StoredBands &bands) const
+  {
+    if (point_mass_ > 0)
+      for (unsigned int node = 1; node < n_nodes(); ++node)
+        if (is_free(node))
+          bands.mass(of_node(node), of_node(node)) = point_mass_;
+    if (!element_->mass.empty())
+      for (unsigned int begin = 0; begin + 1 < n_nodes(); begin += parameters_.degree)
+        for (unsigned int i = 0; i < element_->n; ++i)
+          for (unsigned int j = 0; j < element_->n; ++j)
+            if (is_free(begin + i) && is_free(begin + j))
+              bands.mass(of_node(begin + i), of_node(begin + j)) += element_->mass[i][j];
   }
 
   std::vector<double> Muscle1dSystem::events(const double t0, const double t1) const

@@ -185,8 +185,13 @@ namespace myolines
   scene::Schema continuum_muscle_schema()
   {
     Schema schema = with_common("Muscle as a continuum, thesis (3.3.6), by finite elements, with a tendon, the length of both given.");
-    schema.integer("elements", 8, Range::closed(1, 10000000), "Number of elements of equal length.")
-        .integer("degree", 4, Range::closed(1, 16), "Polynomial degree of the elements.")
+    schema.integer("elements", 60, Range::closed(1, 10000000), "Number of elements of equal length.")
+        .integer("degree", 1, Range::closed(1, 16),
+                 "Polynomial degree of the elements; where force-velocity damps nothing, fronts are steep and higher ones no better.")
+        .choice(
+            "mass", "lumped", {"lumped", "consistent"},
+            "Integrated on the nodes, or exactly. Where force-velocity damps nothing, the limit of many elements is not unique; degree 1 "
+            "with the lumped mass has that of many masses.")
         .number("base material fraction", 0, "-", Range{0, 1, false, true}, "chi_BM of (3.3.11).")
         .section("base material", base_material_schema());
     return schema;
@@ -197,7 +202,7 @@ namespace myolines
     Muscle1dParameters p = read_common(system);
     p.n_elements         = system.integer("elements");
     p.degree             = system.integer("degree");
-    p.mass_of            = MassOf::continuum;
+    p.mass_of            = system.text("mass") == "lumped" ? MassOf::lumped : MassOf::consistent;
     p.force.base         = read_base_material(system);
     return p;
   }

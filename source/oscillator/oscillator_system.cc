@@ -1,8 +1,6 @@
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/system/band_linearisation.h>
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,85 +9,6 @@ namespace myolines
 {
   namespace
   {
-    using Block = std::array<std::array<double, 2>, 2>;
-
-    /// K, C, M as numbers; with the support at rest only their first entries are used.
-    class OscillatorLinearisation : public BandLinearisation
-    {
-    public:
-      OscillatorLinearisation(const unsigned int size, WorkLedger &ledger)
-        : size_(size)
-        , ledger_(ledger)
-      {
-        const dealii::IndexSet         all = dealii::complete_index_set(size);
-        dealii::DynamicSparsityPattern pattern(size, size);
-        for (unsigned int i = 0; i < size; ++i)
-          pattern.add(i, i);
-        matrix_.reinit(all, pattern, MPI_COMM_SELF);
-      }
-
-      /// Spring and damper between mass and support: the same sign pattern [1 -1; -1 1] for stiffness and damping.
-      void fill(const double stiffness, const double damping, const double mass)
-      {
-        stiffness_ = {{{{stiffness, -stiffness}}, {{-stiffness, stiffness}}}};
-        damping_   = {{{{damping, -damping}}, {{-damping, damping}}}};
-        mass_      = {{{{mass, 0}}, {{0, 0}}}};
-        assembled_ = false;
-        ++version_;
-      }
-
-      /// Diagonal, as the support is constrained; its unit row takes the entry of the mass as typical size.
-      unsigned int  bandwidth() const override { return 0; }
-      std::uint64_t version() const override { return version_; }
-      void          fill(const WeightsByOrder &weights, BandMatrix &matrix) const override
-      {
-        ledger_.count("jacobian assemblies");
-        for (unsigned int i = 0; i < size_; ++i)
-          matrix(i, i) = entry(weights[2], 0, 0);
-      }
-
-      void apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override
-      {
-        for (unsigned int i = 0; i < size_; ++i)
-          {
-            double sum = 0;
-            for (unsigned int j = 0; j < size_; ++j)
-              sum += entry(weights[2], i, j) * x.local_element(j);
-            y.local_element(i) = sum;
-          }
-      }
-
-      const SparseMatrix &sparse(const WeightsByOrder &weights) override
-      {
-        const Weights &w = weights[2];
-        if (assembled_ && w.u == last_.u && w.v == last_.v && w.a == last_.a)
-          return matrix_;
-        ledger_.count("jacobian assemblies");
-        for (unsigned int i = 0; i < size_; ++i)
-          matrix_.set(i, i, entry(w, 0, 0));
-        matrix_.compress(dealii::VectorOperation::insert);
-        assembled_ = true;
-        last_      = w;
-        return matrix_;
-      }
-
-    private:
-      double entry(const Weights &w, const unsigned int i, const unsigned int j) const
-      {
-        return w.u * stiffness_[i][j] + w.v * damping_[i][j] + w.a * mass_[i][j];
-      }
-
-      const unsigned int size_;
-      WorkLedger        &ledger_;
-      Block              stiffness_{};
-      Block              damping_{};
-      Block              mass_{};
-      SparseMatrix       matrix_;
-      bool               assembled_ = false;
-      std::uint64_t      version_   = 0;
-      Weights            last_;
-    };
-
     std::shared_ptr<const Drive> read_drive(const scene::Node &system, const std::string &name)
     {
       return system.has(name) ? std::shared_ptr<const Drive>(make_drive(system.section(name))) : nullptr;
@@ -197,15 +116,28 @@ namespace myolines
 
   std::unique_ptr<Linearisation> OscillatorSystem::make_linearisation() const
   {
-    return std::make_unique<OscillatorLinearisation>(layout_.size(), ledger_);
+    const unsigned int        n = layout_.size();
+    std::vector<unsigned int> support;
+    if (parameters_.support)
+      support.push_back(1);
+    return std::make_unique<StoredBands>(std::vector<unsigned int>(n, 2), n - 1, support, ledger_);
   }
 
   void OscillatorSystem::linearise(const Point &point, Linearisation &linearisation) const
   {
     ledger_.count("linearisations");
-    const double stretch = point.u.local_element(0) - (parameters_.support ? point.u.local_element(1) : 0);
-    dynamic_cast<OscillatorLinearisation &>(linearisation)
-        .fill(parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch, parameters_.damping, parameters_.mass);
+    const double stretch   = point.u.local_element(0) - (parameters_.support ? point.u.local_element(1) : 0);
+    const double stiffness = parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch;
+    auto        &bands     = dynamic_cast<StoredBands &>(linearisation);
+    bands.begin();
+    bands.mass(0, 0)     = parameters_.mass;
+    const unsigned int n = layout_.size();
+    for (unsigned int i = 0; i < n; ++i) // spring and damper between mass and support
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          bands.stiffness(i, j) = i == j ? stiffness : -stiffness;
+          bands.damping(i, j)   = i == j ? parameters_.damping : -parameters_.damping;
+        }
   }
 
   std::vector<double> OscillatorSystem::events(const double t0, const double t1) const

@@ -1,5 +1,6 @@
 #include "rod1d_element.h"
-#include "rod1d_linearisation.h"
+
+#include <myolines/system/band_linearisation.h>
 
 #include <limits>
 #include <numeric>
@@ -127,14 +128,15 @@ namespace myolines
 
   std::unique_ptr<Linearisation> Rod1dSystem::make_linearisation() const
   {
-    return std::make_unique<Rod1dLinearisation>(layout_.size(), parameters_.degree, ledger_);
+    return std::make_unique<StoredBands>(std::vector<unsigned int>(layout_.size(), 2), parameters_.degree,
+                                         std::vector<unsigned int>{0, static_cast<unsigned int>(layout_.size()) - 1}, ledger_);
   }
 
   void Rod1dSystem::linearise(const Point &point, Linearisation &linearisation) const
   {
     const WorkLedger::Timer timer(ledger_, "linearisation");
     ledger_.count("linearisations");
-    auto          &bands = dynamic_cast<Rod1dLinearisation &>(linearisation);
+    auto          &bands = dynamic_cast<StoredBands &>(linearisation);
     const Element &e     = *element_;
     const double  *u     = point.u.begin();
     bands.begin();

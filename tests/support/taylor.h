@@ -14,8 +14,10 @@ namespace myolines::testing
     return r;
   }
 
-  /// |J x - difference| / |difference| of the system at @p state in the direction w x: differences of fourth order, of size @p h.
-  inline double taylor_error(const SemiDiscreteSystem &system, const State &state, const Weights &w, const Vector &x, const double h)
+  /// |J x - difference| / |difference| of the system at @p state, J with the weights @p by_order, in the direction w x: differences of
+  /// fourth order, of size @p h.
+  inline double taylor_error(const SemiDiscreteSystem &system, const State &state, const WeightsByOrder &by_order, const Weights &w,
+                             const Vector &x, const double h)
   {
     const auto moved = [&](const double size) {
       State s = state;
@@ -27,7 +29,7 @@ namespace myolines::testing
     Vector     y(x);
     const auto linearisation = system.make_linearisation();
     system.linearise({state.t, Side::left, state.u, state.v, state.a}, *linearisation);
-    linearisation->apply(stage_weights(w.u, w.v, w.a), x, y);
+    linearisation->apply(by_order, x, y);
     Vector difference = moved(h);
     difference -= moved(-h);
     difference *= 8;
@@ -36,5 +38,11 @@ namespace myolines::testing
     difference *= 1 / (12 * h);
     y -= difference;
     return y.l2_norm() / difference.l2_norm();
+  }
+
+  /// With the weights of a stage: unknowns of first order have no accelerations.
+  inline double taylor_error(const SemiDiscreteSystem &system, const State &state, const Weights &w, const Vector &x, const double h)
+  {
+    return taylor_error(system, state, stage_weights(w.u, w.v, w.a), w, x, h);
   }
 } // namespace myolines::testing

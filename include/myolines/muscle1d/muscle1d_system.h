@@ -15,10 +15,13 @@ namespace myolines
   /// How the mass of a muscle is spread over its nodes.
   enum class MassOf
   {
-    none,     ///< a massless spring
-    points,   ///< equal masses on all free nodes, thesis (2.2.7), (3.2.1)
-    continuum ///< the consistent mass of the density, thesis (3.3.6)
+    none,      ///< a massless spring
+    points,    ///< equal masses on all free nodes, thesis (2.2.7), (3.2.1)
+    lumped,    ///< that of the density, thesis (3.3.6), integrated on the nodes: diagonal
+    consistent ///< the same, integrated exactly
   };
+
+  class StoredBands;
 
   /// A tendon in series with the muscle; together they have a given length.
   struct Tendon
@@ -55,8 +58,8 @@ namespace myolines
   /// Finite elements of equal length: of degree 1 with one Gauss point and equal masses at the free nodes this is the chain of N point
   /// masses between Hill springs of (2.2.7) and (3.2.1); of one element without mass it is the massless muscle-tendon unit (2.2.6), an
   /// equation of first order in u that is never solved for u': where the activation vanishes it becomes algebraic, and the
-  /// matrices of implicit steps, K + C/(g dt), stay regular. Elements of degree k with k + 1 Gauss points, Gauss-Lobatto nodes and the
-  /// consistent mass discretise the continuum (3.3.6).
+  /// matrices of implicit steps, K + C/(g dt), stay regular. Elements of degree k with k + 1 Gauss points and Gauss-Lobatto
+  /// nodes discretise the continuum (3.3.6).
   ///
   /// Unknowns: displacements of the free nodes [m] along the muscle, of second order, or of first order without mass. Where
   /// the activation is solved with the motion, each element has its own, of first order, before the nodes that end it; the unknown is
@@ -109,6 +112,7 @@ namespace myolines
 
     /// Values of all nodes, the fixed ones too.
     void scatter(const Vector &x, std::vector<double> &nodes) const;
+    void add_mass(StoredBands &bands) const;
     void add_inertia(const Vector &acceleration, std::vector<double> &a, std::vector<double> &force) const;
 
     Muscle1dParameters             parameters_;
