@@ -110,18 +110,19 @@ namespace myolines
                                 [this] { study_command(study_, run.quiet, out_); });
         command->add_option("study", study_.file, "The study")->required()->type_name("STUDY.xml");
         command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
-        command->add_option("--jobs", study_.jobs, "Runs at a time; default: one for each core")->check(CLI::PositiveNumber);
+        command->add_option("--jobs", study_.jobs, "Runs at a time; default: as many as there are cores for")->check(CLI::PositiveNumber);
         command->add_flag("--retry", study_.retry, "Runs cases again that failed");
         CLI::Option *list = command->add_flag("--list", study_.list, "Validates and prints the cases, and runs nothing");
         CLI::Option *part =
             command->add_option("--part", study_.part, "Runs every OF-th case from the one of that number on")->type_name("NUMBER/OF");
-        CLI::Option *emit =
-            command->add_option("--emit", study_.emit, "Writes a batch script instead: slurm (array job) or mpi (one job of many ranks)")
-                ->check(CLI::IsMember({"slurm", "mpi"}))
-                ->excludes(part)
-                ->excludes(list);
+        CLI::Option *emit = command
+                                ->add_option("--emit", study_.emit,
+                                             "Writes a batch script instead: slurm (array job) or mpi (one job, its ranks in groups)")
+                                ->check(CLI::IsMember({"slurm", "mpi"}))
+                                ->excludes(part)
+                                ->excludes(list);
         part->excludes(list);
-        command->add_option("--tasks", study_.tasks, "Tasks of that script")
+        command->add_option("--tasks", study_.tasks, "Tasks of that array, or groups of ranks of that job")
             ->check(CLI::PositiveNumber)
             ->needs(emit)
             ->capture_default_str();

@@ -24,6 +24,9 @@ namespace myolines::study
            "#SBATCH --array=1-" +
            n +
            "\n"
+           "#SBATCH --ntasks=" +
+           std::to_string(call.ranks) +
+           "\n"
            "#SBATCH --cpus-per-task=1\n"
            "#SBATCH --output=" +
            log +
@@ -36,27 +39,38 @@ namespace myolines::study
            "\n"
            "fi\n"
            "exec " +
-           study_call(call) + " --part \"$SLURM_ARRAY_TASK_ID/" + n + "\" --jobs \"${SLURM_CPUS_PER_TASK:-1}\" --quiet\n";
+           study_call(call) + " --part \"$SLURM_ARRAY_TASK_ID/" + n + "\" --jobs " +
+           (call.ranks == 1 ? "\"${SLURM_CPUS_PER_TASK:-1}\"" : "1") + " --quiet\n";
   }
 
   std::string mpi_script(const BatchCall &call)
   {
-    const std::string n = std::to_string(call.tasks);
+    const std::string groups = std::to_string(call.tasks), ranks = std::to_string(call.ranks),
+                      all = std::to_string(call.tasks * call.ranks);
     return "#!/bin/bash\n"
-           "# bash THIS_FILE              runs the cases as one job of " +
-           n +
-           " ranks of Open MPI, then measures and writes the tables\n"
+           "# bash THIS_FILE              runs the cases as one job of Open MPI, then measures and writes the tables\n"
+           "# " +
+           all + " ranks in groups of " + ranks +
+           ": the first of a group starts its cases, the others leave it their cores\n"
            "set -eu\n"
            "export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1\n"
            "if [ \"${1:-}\" = part ]; then\n"
-           "  part=$((OMPI_COMM_WORLD_RANK + 1))\n"
-           "  unset ${!OMPI_*} ${!PMIX_*} ${!ORTE_*} # every part is a program of its own\n"
+           "  [ $((OMPI_COMM_WORLD_RANK % " +
+           ranks +
+           ")) = 0 ] || exit 0\n"
+           "  part=$((OMPI_COMM_WORLD_RANK / " +
+           ranks +
+           " + 1))\n"
+           "  for name in ${!OMPI_*} ${!PMIX_*} ${!ORTE_*} ${!SLURM_*}; do # a program of its own, on this node\n"
+           "    [[ \" $given \" = *\" $name \"* ]] || unset \"$name\"\n"
+           "  done\n"
            "  exec " +
-           study_call(call) + " --part \"$part/" + n +
+           study_call(call) + " --part \"$part/" + groups +
            "\" --jobs 1 --quiet\n"
            "fi\n"
-           "mpirun -np " +
-           n +
+           "export given=\"${!OMPI_*}\" # settings of the user, not of the job\n"
+           "mpirun -x given --bind-to none -np " +
+           all +
            " bash \"$0\" part\n"
            "exec " +
            study_call(call) + "\n";

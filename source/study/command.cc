@@ -126,23 +126,26 @@ namespace myolines::study
       out << cases.size() << " cases\n";
     }
 
-    void write_script(const Options &options, const std::filesystem::path &folder, std::ostream &out)
+    void write_script(const Options &options, const Study &study, const std::filesystem::path &folder, std::ostream &out)
     {
-      const BatchCall call{options.program, std::filesystem::absolute(options.file), std::filesystem::absolute(folder), options.overrides,
-                           options.tasks};
-      const auto      file = folder / ("study." + options.emit + ".sh");
+      const BatchCall call{
+          options.program, std::filesystem::absolute(options.file), std::filesystem::absolute(folder), options.overrides, options.tasks,
+          study.ranks};
+      const auto file = folder / ("study." + options.emit + ".sh");
       replace_file(file, options.emit == "slurm" ? slurm_script(call) : mpi_script(call));
       out << "Wrote " << file.string() << "; its first lines say how to use it.\n";
     }
 
-    RunnerOptions runner_options(const Options &options, const std::filesystem::path &scene, const std::filesystem::path &folder)
+    RunnerOptions runner_options(const Options &options, const Study &study, const std::filesystem::path &folder)
     {
       RunnerOptions runner;
-      runner.program     = options.program;
-      runner.folder      = folder;
-      runner.jobs        = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
-      runner.retry       = options.retry;
-      runner.resolve     = [&options, scene](const std::vector<std::string> &settings) { return options.resolve(scene, settings); };
+      runner.program = options.program;
+      runner.folder  = folder;
+      runner.jobs    = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency() / study.ranks);
+      runner.retry   = options.retry;
+      runner.resolve = [&options, scene = study.scene](const std::vector<std::string> &settings) {
+        return options.resolve(scene, settings);
+      };
       runner.stop_signal = options.stop_signal;
       runner.terminal    = options.terminal;
       return runner;
@@ -214,8 +217,8 @@ namespace myolines::study
         replace_file(folder / "study.resolved.xml", scene::resolved_xml(node, "study"));
     });
     if (!options.emit.empty())
-      return write_script(options, folder, out);
-    const RunnerOptions runner = runner_options(options, study.scene, folder);
+      return write_script(options, study, folder, out);
+    const RunnerOptions runner = runner_options(options, study, folder);
     if (!options.part.empty())
       return run_part(cases, study, read_part(options.part), runner);
     run_whole(cases, study, runner, out);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -98,6 +99,30 @@ namespace myolines::study
       write_words("y", picture.y_words, out);
     }
 
+    /// Panels are too narrow for the labels that gnuplot chooses: at most five steps of 1, 2 or 5 times a power of ten.
+    void write_few_ticks(const Picture &panel, std::ostream &out)
+    {
+      if (panel.log_x || !panel.x_words.empty())
+        return;
+      double first = std::numeric_limits<double>::infinity(), last = -first;
+      for (const Curve &curve : panel.curves)
+        for (const auto &point : curve.points)
+          if (drawable(panel, point))
+            {
+              first = std::min(first, point.first);
+              last  = std::max(last, point.first);
+            }
+      if (!(last > first))
+        return;
+      const double power = std::pow(10, std::floor(std::log10((last - first) / 5)));
+      for (const double step : {power, 2 * power, 5 * power, 10 * power})
+        if (last - first <= 5 * step)
+          {
+            out << "set xtics " << exact_text(step) << "\n";
+            return;
+          }
+    }
+
     std::string block_name(const std::size_t panel) { return "panel" + std::to_string(panel) + "curve"; }
 
     /// Two columns, the key of the first panel to their right.
@@ -110,6 +135,7 @@ namespace myolines::study
         if (has_points(picture.panels[i]))
           {
             write_frame(picture.panels[i], out);
+            write_few_ticks(picture.panels[i], out);
             write_plot(picture.panels[i], block_name(i), out);
             out << "unset key\n";
           }

@@ -31,6 +31,7 @@ namespace myolines::study
 
       Measured value(const Quantity &quantity, const Case &which)
       {
+        forget_all_but(which);
         switch (quantity.source)
           {
           case Quantity::Source::column:
@@ -52,6 +53,17 @@ namespace myolines::study
       {
         const auto found = tables_.find(file);
         return found != tables_.end() ? found->second : tables_.emplace(file, read_csv(file)).first->second;
+      }
+
+      /// Tables are kept for the other quantities of a case, and those of a reference for its other cases: no more, there may be thousands.
+      void forget_all_but(const Case &which)
+      {
+        if (which.name == current_)
+          return;
+        current_                = which.name;
+        const auto of_reference = case_folder(folder_, which.reference);
+        for (auto entry = tables_.begin(); entry != tables_.end();)
+          entry = entry->first.parent_path() == of_reference ? std::next(entry) : tables_.erase(entry);
       }
 
       std::optional<Series> series(const std::filesystem::path &file, const std::string &column, std::string &note)
@@ -175,6 +187,7 @@ namespace myolines::study
       const std::map<std::string, Outcome>                    &outcomes_;
       const std::filesystem::path                             &folder_;
       std::map<std::filesystem::path, std::optional<CsvTable>> tables_;
+      std::string                                              current_;     ///< name of the case that is asked
       std::map<std::string, std::vector<FieldDifference>>      differences_; ///< of cases
       std::unique_ptr<const SavedState>                        reference_;
     };

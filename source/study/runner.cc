@@ -20,7 +20,8 @@ namespace myolines::study
   {
     using Clock = std::chrono::steady_clock;
 
-    constexpr double grace = 20; ///< between the request to end and the end, for a run that saves its state [s]
+    constexpr double grace          = 20;      ///< between the request to end and the end, for a run that saves its state [s]
+    constexpr int    request_to_end = SIGUSR1; ///< mpirun hands it on to all ranks and waits; at SIGTERM it kills them
 
     double seconds_since(const Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
@@ -134,15 +135,24 @@ namespace myolines::study
           std::filesystem::remove_all(folder);
         std::filesystem::create_directories(folder);
 
-        std::vector<std::string> command{options_.program.string(), "run", study_.scene.string()};
+        const std::vector<std::string> command = command_of(job, folder);
+        job.command                            = shell_text(command);
+        job.begin                              = Clock::now();
+        running_.emplace(processes_.start(command, folder / "console.txt"), job);
+      }
+
+      std::vector<std::string> command_of(const Job &job, const std::filesystem::path &folder) const
+      {
+        std::vector<std::string> command;
+        if (study_.ranks > 1) // ranks die with mpirun, which dies with this process; they share the cores with other runs
+          command = {"/usr/bin/env", "mpirun", "--bind-to", "none", "-np", std::to_string(study_.ranks), "setpriv", "--pdeathsig", "KILL"};
+        command.insert(command.end(), {options_.program.string(), "run", study_.scene.string()});
         for (const std::string &setting : job.which->settings)
           command.insert(command.end(), {"--set", setting});
         command.insert(command.end(), {"--out", folder.string(), "--quiet"});
         if (job.resumed)
           command.push_back("--resume");
-        job.command = shell_text(command);
-        job.begin   = Clock::now();
-        running_.emplace(processes_.start(command, folder / "console.txt"), job);
+        return command;
       }
 
       Outcome close(const Ended &end)
@@ -195,7 +205,7 @@ namespace myolines::study
           if (const double seconds = seconds_since(job.begin); seconds > study_.case_seconds)
             {
               if (!job.timed_out)
-                processes_.send(process, SIGTERM);
+                processes_.send(process, request_to_end);
               else if (!job.killed && seconds > study_.case_seconds + grace)
                 {
                   processes_.send(process, SIGKILL);
@@ -221,7 +231,7 @@ namespace myolines::study
         if (!study_.resumes)
           return;
         for (const auto &[process, job] : running_)
-          processes_.send(process, SIGTERM);
+          processes_.send(process, request_to_end);
         for (const Clock::time_point begin = Clock::now(); !running_.empty() && seconds_since(begin) < grace;)
           for (const Ended &end : processes_.wait(0.5))
             running_.erase(end.process);

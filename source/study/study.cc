@@ -245,6 +245,7 @@ namespace myolines::study
     study.scene         = node.file("scene");
     study.settings      = split(node.text("settings"));
     study.resumes       = node.text("interrupted cases") == "resume";
+    study.ranks         = static_cast<unsigned int>(node.integer("ranks"));
     study.case_seconds  = node.section("budget").number("case");
     study.total_seconds = node.section("budget").number("total");
     for (const Node &grid : node.section("grids").named())

@@ -58,6 +58,19 @@ namespace myolines::study
         return axis + (unit.empty() ? "" : " [" + unit + "]");
       }
 
+      /// A row on all axes but @p except, for people: "method be, step 0.01 s".
+      std::string others_in_words(const std::size_t row, const std::vector<std::string> &except) const
+      {
+        std::vector<std::string> words;
+        for (const std::string &axis : study_.axis_names())
+          if (std::find(except.begin(), except.end(), axis) == except.end())
+            {
+              const std::string unit = study_.axis(axis).unit;
+              words.push_back(axis + " " + text(row, axis_header(axis)) + (unit.empty() ? "" : " " + unit));
+            }
+        return join(words);
+      }
+
       /// A row on all axes but @p except, "method be, step 0.01"; the label alone if it is one axis.
       std::string others(const std::size_t row, const std::vector<std::string> &except) const
       {
@@ -224,9 +237,10 @@ namespace myolines::study
           const auto [found, fresh] = known.emplace(others, static_cast<int>(pictures.size()));
           if (fresh)
             {
-              Picture map = titled(study, "map" + (others.empty() ? "" : " " + others), table.axis_header(study.view.abscissa),
-                                   table.axis_header(study.view.ordinate));
-              map.title += others.empty() ? "" : ": " + others;
+              Picture           map   = titled(study, "map" + (others.empty() ? "" : " " + others), table.axis_header(study.view.abscissa),
+                                               table.axis_header(study.view.ordinate));
+              const std::string words = table.others_in_words(row, {study.view.abscissa, study.view.ordinate});
+              map.title += words.empty() ? "" : ": " + words;
               map.log_x   = x.logarithmic;
               map.log_y   = y.logarithmic;
               map.lines   = false;

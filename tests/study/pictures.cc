@@ -33,6 +33,19 @@ TEST(Pictures, ScriptHoldsDataAndUnits)
   EXPECT_NE(script.find("set logscale y"), std::string::npos);
 }
 
+/// Labels of narrow panels do not touch: few of them, at round numbers.
+TEST(Pictures, PanelsHaveFewTicks)
+{
+  Picture panel, picture;
+  panel.curves   = {{"be", {{0.59, 0}, {0.69, 1}}}, {"nm", {{0.6, 0}, {0.68, 1}}}};
+  picture.panels = {panel};
+  EXPECT_NE(gnuplot_script(picture).find("set xtics 0.02\n"), std::string::npos) << gnuplot_script(picture);
+  picture.panels[0].curves = {{"be", {{0, 0}, {1, 1}}}};
+  EXPECT_NE(gnuplot_script(picture).find("set xtics 0.2\n"), std::string::npos);
+  picture.panels[0].log_x = true;
+  EXPECT_EQ(gnuplot_script(picture).find("set xtics"), std::string::npos);
+}
+
 TEST(Pictures, ColumnsOfOneUnitShareOneAndRunsAreCompared)
 {
   const TestFolder folder;
@@ -73,6 +86,7 @@ TEST(Pictures, MapsHaveOneForEachPointOfTheOtherAxes)
   const auto maps = pictures_of_study(folder.path());
   ASSERT_EQ(maps.size(), 2u);
   EXPECT_EQ(maps[0].x_label, "step [s]");
+  EXPECT_EQ(maps[0].title, ": mass 1"); // the study has no title
   ASSERT_EQ(maps[0].y_words.size(), 2u);
   const auto &stable = maps[0].curves[0], &failed = maps[0].curves[3];
   EXPECT_EQ(stable.title, "stable");

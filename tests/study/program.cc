@@ -97,26 +97,6 @@ TEST(StudyProgram, PartsAreTakenTogether)
   EXPECT_EQ(run_program(folder, "study study.xml --out parts --part 1/2 --emit slurm").exit_code, 2);
 }
 
-TEST(StudyProgram, RanksOfOneJobAreTakenTogether)
-{
-  const StudyFolder folder;
-  folder.write_study(grid("all", steps), error);
-  ASSERT_EQ(run_program(folder, "study study.xml --out ranks --emit mpi --tasks 2").exit_code, 0);
-  // not through a shell of this process, whose MPI library has set variables that mpirun would heed
-  Processes processes;
-  processes.start({"/usr/bin/env", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1", "OMPI_MCA_rmaps_base_oversubscribe=1",
-                   "bash", (folder / "ranks/study.mpi.sh").string()},
-                  folder / "console");
-  std::vector<Ended> ended;
-  while (ended.empty())
-    ended = processes.wait(1);
-  ASSERT_EQ(ended.front().exit_code, 0) << contents(folder / "console");
-  const std::string log = contents(folder / "ranks/study.log");
-  EXPECT_NE(log.find("2 cases, 0 of them known"), std::string::npos) << log;
-  EXPECT_NE(log.find("3 cases, 3 of them known"), std::string::npos) << log;
-  EXPECT_EQ(read_csv(folder / "ranks/study.csv")->rows.size(), 3u);
-}
-
 /// A finer run as reference and another method beside it: their difference is told.
 TEST(StudyProgram, ReferenceIsCrossChecked)
 {

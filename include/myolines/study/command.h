@@ -22,12 +22,12 @@ namespace myolines::study
     std::filesystem::path    file;
     std::filesystem::path    folder; ///< empty: results/<name of the study without extension>
     std::vector<std::string> overrides;
-    unsigned int             jobs  = 0; ///< processes at a time; 0: one for each core
+    unsigned int             jobs  = 0; ///< runs at a time; 0: as many as the cores have room for
     bool                     retry = false;
     bool                     list  = false; ///< validate and print the cases, run none
     std::string              part;          ///< as read_part() takes it; "" for all
     std::string              emit;          ///< "slurm", "mpi": write that script and run nothing; "" for none
-    unsigned int             tasks = 8;     ///< of the script
+    unsigned int             tasks = 8;     ///< of the script: parts, one case at a time in each
 
     std::filesystem::path program; ///< that has the command `run`
     /// The resolved scene of a case. @throws InputError if the settings do not fit the scene.

@@ -108,6 +108,7 @@ namespace myolines::study
     std::filesystem::path      scene; ///< the base
     std::vector<std::string>   settings;
     bool                       resumes = false; ///< interrupted cases go on from their checkpoints
+    unsigned int               ranks   = 1;     ///< MPI ranks of each run
     double                     case_seconds, total_seconds;
     std::vector<Grid>          grids;
     std::optional<Reference>   reference, cross_check;
