@@ -1,0 +1,63 @@
+// The single-point driver against closed forms.
+#include "program_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+  const std::string input = MYOLINES_SOURCE_DIR "/input/";
+
+  /// The numbers of the row of @p file whose first entry is nearest to @p x.
+  std::vector<double> row_at(const std::filesystem::path &file, const double x)
+  {
+    std::ifstream       stream(file);
+    std::string         line;
+    std::vector<double> best;
+    std::getline(stream, line);
+    while (std::getline(stream, line))
+      {
+        std::vector<double> row;
+        std::istringstream  cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+          row.push_back(std::stod(cell));
+        if (best.empty() || std::abs(row[0] - x) < std::abs(best[0] - x))
+          best = row;
+      }
+    return best;
+  }
+} // namespace
+
+TEST(Point, EqualsClosedForms)
+{
+  const TestFolder folder;
+  const Outcome    outcome =
+      run_program(folder, "point " + input + "force_length/gastrocnemius.xml --out p --stretch 0.5 1.5 101 --activation 0 0.5 1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::filesystem::path p = folder / "p";
+  // Table A.6 beyond 1.25, and 0.9941 of the active curve at rest.
+  const double passive = 2e5 * (3.436357 * 0.05 * 0.05 + 1.176922 * 0.05 + 0.147115);
+  EXPECT_NEAR(row_at(p / "muscle_stretch.csv", 1.3)[1], passive, 1e-6 * passive);
+  const std::vector<double> rest = row_at(p / "muscle_stretch.csv", 1);
+  EXPECT_NEAR(rest[3], 2e5 * 0.994100, 0.1);
+  EXPECT_NEAR(rest[2], 0.5 * rest[3], 1e-6);
+  EXPECT_NEAR(row_at(p / "muscle_strain_rate.csv", 1)[3], rest[3] * 1.595047, 1e-3);
+  // (A.2.4) at 1.01, and twice the slope of the Yeoh law times s^2 - 1/s.
+  EXPECT_NEAR(row_at(p / "aponeurosis_stretch.csv", 1.01)[1], 2e5 * 0.061688, 1e-6 * 2e5);
+  const double s = 1.2, x = s * s + 2 / s - 3;
+  const double expected = 2 * (s * s - 1 / s) * 2e5 * (4.6896264975 - 2 * 3.4551410975 * x + 3 * 484.92055395 * x * x);
+  EXPECT_NEAR(row_at(p / "aponeurosis_base.csv", s)[1], expected, 1e-9 * expected);
+  for (const char *picture : {"muscle_stretch", "muscle_strain_rate", "muscle_surface", "muscle_base", "aponeurosis_base"})
+    EXPECT_TRUE(std::filesystem::exists(p / "pictures" / (std::string(picture) + ".svg"))) << picture;
+}
+
+TEST(Point, WhatCannotBeIsRefused)
+{
+  const TestFolder folder;
+  EXPECT_EQ(run_program(folder, "point " + input + "oscillator.xml").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "point " + input + "isometric_block.xml --stretch 1 0.5 10").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "point " + input + "isometric_block.xml --stretch 0 1 10").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "point " + input + "isometric_block.xml --activation 1.5").exit_code, 2);
+}
