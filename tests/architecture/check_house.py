@@ -184,7 +184,7 @@ PLANTED = (
     ("integrators/planted.cc", "#include <myolines/oscillator/oscillator_system.h>\n", "integrators includes oscillator"),
     ("source/fem/planted.cc", "Epetra_Map map;\n", "Epetra and Thyra may be named only"),
     ("include/myolines/solve/planted.h", "#include <NOX.H>\n#include <BelosTypes.hpp>\n", "NOX, Belos, Anasazi, ML and Amesos may be named only"),
-    ("source/cli/planted.cc", "#include <AnasaziConfigDefs.hpp>\n", "NOX, Belos, Anasazi, ML and Amesos may be named only"),
+    ("source/cli/planted4.cc", "#include <AnasaziConfigDefs.hpp>\n", "NOX, Belos, Anasazi, ML and Amesos may be named only"),
     ("source/cli/planted.cc", "Teuchos::XMLObject object;\n", "XML of Teuchos may be named only"),
     ("source/cli/planted3.cc", "#include <sqlite3.h>\n", "SQLite may be named only"),
     ("source/time/planted2.cc", "#include <arkode/arkode.h>\n", "SUNDIALS may be named only"),
