@@ -1,7 +1,10 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
+#include <myolines/cli/resume.h>
 #include <myolines/output/csv_file.h>
+#include <myolines/output/text_file.h>
 #include <myolines/solve/modes.h>
+#include <myolines/solve/tangent_eigenvalues.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +19,35 @@ namespace myolines
       const double rounding = 1e-9 * std::abs(w);
       const char  *size     = w.real() > rounding ? "grows" : w.real() < -rounding ? "decays" : "stays";
       return std::string(size) + (std::abs(w.imag()) > rounding ? ", oscillates" : "");
+    }
+
+    OutputFolder folder_of(const std::filesystem::path &file)
+    {
+      const std::filesystem::path folder = file.parent_path();
+      return {folder.empty() ? "." : folder};
+    }
+
+    /// The kept states of the run in @p folder, all or the one at the time @p at.
+    std::vector<CheckpointReader> kept_states(const std::filesystem::path &folder, const std::optional<double> at,
+                                              const Experiment &experiment, const std::filesystem::path &scene)
+    {
+      std::vector<CheckpointReader> states;
+      std::string                   times;
+      for (const std::filesystem::path &file : kept_state_files(folder))
+        {
+          CheckpointReader reader(file);
+          const double     t = reader.contents().state.t;
+          times += " " + exact_text(t);
+          if (at && std::abs(t - *at) > 1e-9 * std::abs(*at))
+            continue;
+          refuse_other_run(reader.contents().scene, scene::resolved_xml(experiment.scene()), scene.string());
+          states.push_back(std::move(reader));
+        }
+      if (states.empty())
+        throw InputError(InputProblem{folder.string(),
+                                      at && !times.empty() ? "no state was kept at " + exact_text(*at) + " s" : "no states were kept",
+                                      times.empty() ? "a run with the list output/checkpoint/keep" : "one of the times" + times, ""});
+      return states;
     }
   } // namespace
 
@@ -41,9 +73,40 @@ namespace myolines
       out << "  ... and " << all.size() - printed << " more that decay faster\n";
     if (file.empty())
       return;
-    const std::filesystem::path folder = file.parent_path();
-    CsvFile csv({folder.empty() ? "." : folder}, file.filename().string(), {"growth rate [1/s]", "imaginary part [1/s]"});
+    CsvFile csv(folder_of(file), file.filename().string(), {"growth rate [1/s]", "imaginary part [1/s]"});
     for (const auto &w : all)
       csv.row(std::vector<double>{w.real(), w.imag()});
+  }
+
+  void modes_along_command(const ModesAlongOptions &options, std::ostream &out)
+  {
+    Experiment               experiment(read_whole_scene(options.scene, options.overrides));
+    const auto              &system         = *experiment.assembled().system;
+    const scene::Node       &preconditioner = experiment.scene().section("solver").section("preconditioner");
+    const std::string        unit           = system.capabilities().inertia ? "[1/s^2]" : "[N/m]";
+    const auto               states         = kept_states(options.run, options.at, experiment, options.scene);
+    std::vector<std::string> columns{"Time [s]"};
+    for (unsigned int i = 1; i <= options.number; ++i)
+      columns.push_back("eigenvalue " + std::to_string(i) + " " + unit);
+
+    const std::filesystem::path file = options.file.empty() ? options.run / "modes.csv" : options.file;
+    CsvFile                     csv(folder_of(file), file.filename().string(), columns);
+    out << "Smallest eigenvalues of the tangent " << unit << ", at rest in the configurations of " << options.run.string() << "\n";
+    std::optional<std::pair<double, double>> before; // time, smallest eigenvalue
+    for (const CheckpointReader &reader : states)
+      {
+        const State         state  = reader.read(system).state;
+        std::vector<double> values = tangent_eigenvalues(system, state, options.number, preconditioner, experiment.ledger());
+        out << "  t = " << state.t << " s:";
+        for (const double value : values)
+          out << " " << value;
+        out << "\n";
+        if (before && (before->second > 0) != (values.front() > 0))
+          out << "  the smallest changes its sign at t = "
+              << before->first + (state.t - before->first) * before->second / (before->second - values.front()) << " s, by interpolation\n";
+        before = {state.t, values.front()};
+        values.insert(values.begin(), state.t);
+        csv.row(values);
+      }
   }
 } // namespace myolines

@@ -79,12 +79,35 @@ namespace myolines
 
       void add_modes()
       {
-        CLI::App *command = add(app, "modes", "Growth rates and frequencies of small motions about the initial state of a scene",
-                                [this] { modes_command(run.scene, run.overrides, modes_, out_); });
-        command->add_option("scene", run.scene, "The scene; dense matrices: at most 2000 free unknowns, one rank")
+        CLI::App *command = add(app, "modes", "Growth rates and frequencies of small motions, or smallest eigenvalues along a run", [this] {
+          if (along_.run.empty())
+            modes_command(run.scene, run.overrides, modes_, out_);
+          else
+            {
+              along_.scene     = run.scene;
+              along_.overrides = run.overrides;
+              along_.file      = modes_;
+              modes_along_command(along_, out_);
+            }
+        });
+        command
+            ->add_option("scene", run.scene,
+                         "The scene; modes about its initial state: dense matrices, at most 2000 free unknowns, one rank")
             ->required()
             ->type_name("SCENE.xml");
-        command->add_option("--out", modes_, "Writes all of them, comma-separated")->type_name("FILE.csv");
+        command->add_option("--out", modes_, "Writes all of them, comma-separated; along a run by default: modes.csv in its folder")
+            ->type_name("FILE.csv");
+        CLI::Option *along =
+            command
+                ->add_option("--along", along_.run,
+                             "Output folder of a run of the scene with the list output/checkpoint/keep: the smallest eigenvalues of the "
+                             "tangent at every kept state, matrix-free, on any number of ranks")
+                ->type_name("DIR");
+        command->add_option("--at", along_.at, "Time [s] of the only state to look at")->type_name("TIME")->needs(along);
+        command->add_option("--number", along_.number, "Of smallest eigenvalues")
+            ->check(CLI::PositiveNumber)
+            ->needs(along)
+            ->capture_default_str();
         add_overrides(command);
       }
 
@@ -202,6 +225,7 @@ namespace myolines
       study::PlotOptions    plot_;
       std::filesystem::path modes_;
       PointOptions          point_;
+      ModesAlongOptions     along_;
     };
 
     int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out,

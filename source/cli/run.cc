@@ -15,9 +15,9 @@ namespace myolines
     {
       const std::string peer    = "-3d.csv";
       const bool        of_peer = name.size() > peer.size() && name.compare(name.size() - peer.size(), peer.size(), peer) == 0;
-      for (const char *ours :
-           {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "trace.csv", "motion.csv", "nodal_states.csv",
-            "muscle_tendon.csv", "stretches.csv", "equilibria.csv", "steps.csv", "ledger.json", "checkpoint", "checkpoint.new"})
+      for (const char *ours : {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "trace.csv", "motion.csv",
+                               "nodal_states.csv", "muscle_tendon.csv", "stretches.csv", "equilibria.csv", "modes.csv", "steps.csv",
+                               "ledger.json", "checkpoint", "checkpoint.new"})
         if (name == ours)
           return true;
       return of_peer || (name.rfind("force_data-3d-", 0) == 0 && name.find(".csv") != std::string::npos);

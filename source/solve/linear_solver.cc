@@ -1,3 +1,5 @@
+#include "action_operator.h"
+
 #include <myolines/solve/linear_solver.h>
 #include <myolines/solve/preconditioner.h>
 
@@ -5,11 +7,9 @@
 #include <BelosEpetraAdapter.hpp>
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>
-#include <Epetra_Operator.h>
 #include <Epetra_Vector.h>
 
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 
 namespace myolines
@@ -19,49 +19,7 @@ namespace myolines
     using Problem = Belos::LinearProblem<double, Epetra_MultiVector, Epetra_Operator>;
     using Manager = Belos::SolverManager<double, Epetra_MultiVector, Epetra_Operator>;
 
-    using Action = std::function<void(const double *x, double *y)>;
-
-    /// A linear map as Belos sees it.
-    class ActionOperator : public Epetra_Operator
-    {
-    public:
-      ActionOperator(const Epetra_Map &map, Action action)
-        : map_(map)
-        , action_(std::move(action))
-      {}
-
-      int Apply(const Epetra_MultiVector &x, Epetra_MultiVector &y) const override
-      {
-        for (int column = 0; column < x.NumVectors(); ++column)
-          action_(x[column], y[column]);
-        return 0;
-      }
-
-      int                SetUseTranspose(bool) override { return -1; }
-      int                ApplyInverse(const Epetra_MultiVector &, Epetra_MultiVector &) const override { return -1; }
-      double             NormInf() const override { return 0; }
-      const char        *Label() const override { return "linear map"; }
-      bool               UseTranspose() const override { return false; }
-      bool               HasNormInf() const override { return false; }
-      const Epetra_Comm &Comm() const override { return map_.Comm(); }
-      const Epetra_Map  &OperatorDomainMap() const override { return map_; }
-      const Epetra_Map  &OperatorRangeMap() const override { return map_; }
-
-    private:
-      const Epetra_Map &map_;
-      const Action      action_;
-    };
-
     Epetra_Vector view(const Vector &x, const Epetra_Map &map) { return Epetra_Vector(View, map, const_cast<double *>(x.begin())); }
-
-    const PreconditionerEntry &chosen(const scene::Node &node)
-    {
-      const std::string name = node.text("type");
-      for (const PreconditionerEntry &entry : preconditioner_registry())
-        if (entry.name == name)
-          return entry;
-      throw std::logic_error("preconditioner \"" + name + "\" is not registered");
-    }
   } // namespace
 
   scene::Schema LinearSolver::linear_schema()
@@ -160,7 +118,7 @@ namespace myolines
     const WorkLedger::Timer timer(ledger_, "preconditioner");
     ledger_.count("preconditioner set-ups");
     if (!preconditioner_)
-      preconditioner_ = chosen(node_).make(node_, {tangent_.layout().size(), linearisation.has_two_levels(), ledger_});
+      preconditioner_ = make_preconditioner(node_, {tangent_.layout().size(), linearisation.has_two_levels(), ledger_});
     outdated_ = true; // until the set-up has succeeded
     preconditioner_->build(tangent_);
     outdated_ = false;

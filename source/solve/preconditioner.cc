@@ -81,4 +81,13 @@ namespace myolines
                                                              direct_preconditioner_entry()};
     return entries;
   }
+
+  std::unique_ptr<Preconditioner> make_preconditioner(const scene::Node &preconditioner, const PreconditionerContext &context)
+  {
+    const std::string name = preconditioner.text("type");
+    for (const PreconditionerEntry &entry : preconditioner_registry())
+      if (entry.name == name)
+        return entry.make(preconditioner, context);
+    throw std::logic_error("preconditioner \"" + name + "\" is not registered");
+  }
 } // namespace myolines

@@ -18,7 +18,7 @@ CODE = (".h", ".cc", ".py", ".sh")
 # (what, names in the code, folders that may use them)
 FENCES = (
     ("Epetra and Thyra", r"\b(Epetra_\w+|Thyra(::|_)|EpetraExt\w*)", ("include/myolines/algebra", "source/algebra", "source/solve")),
-    ("NOX, Belos, ML and Amesos", r"\bNOX(::|_)|\bBelos(::|\w*\.hpp)|\bML_(Epetra|\w+\.h)|\bml_\w+\.h|\bAmesos\w*[:.]", ("source/solve",)),
+    ("NOX, Belos, Anasazi, ML and Amesos", r"\bNOX(::|_)|\b(Belos|Anasazi)(::|\w*\.hpp)|\bML_(Epetra|\w+\.h)|\bml_\w+\.h|\bAmesos\w*[:.]", ("source/solve",)),
     ("XML of Teuchos", r"\bTeuchos_XML\w*|\bTeuchos::XML\w*|Xml(File|String|Stream)\b", ("source/scene",)),
     ("SQLite", r"\bsqlite3_\w+|[<\"]sqlite3\.h", ("source/study",)),
     ("SUNDIALS", r"[<\"](sundials|arkode|cvodes?|idas?|kinsol|nvector)/", ("integrators/sundials_", "source/integrators/sundials_", "include/myolines/integrators/sundials_")),
@@ -183,7 +183,8 @@ PLANTED = (
     ("source/study/planted.cc", "#include <myolines/cli/commands.h>\n", "study includes cli"),
     ("integrators/planted.cc", "#include <myolines/oscillator/oscillator_system.h>\n", "integrators includes oscillator"),
     ("source/fem/planted.cc", "Epetra_Map map;\n", "Epetra and Thyra may be named only"),
-    ("include/myolines/solve/planted.h", "#include <NOX.H>\n#include <BelosTypes.hpp>\n", "NOX, Belos, ML and Amesos may be named only"),
+    ("include/myolines/solve/planted.h", "#include <NOX.H>\n#include <BelosTypes.hpp>\n", "NOX, Belos, Anasazi, ML and Amesos may be named only"),
+    ("source/cli/planted4.cc", "#include <AnasaziConfigDefs.hpp>\n", "NOX, Belos, Anasazi, ML and Amesos may be named only"),
     ("source/cli/planted.cc", "Teuchos::XMLObject object;\n", "XML of Teuchos may be named only"),
     ("source/cli/planted3.cc", "#include <sqlite3.h>\n", "SQLite may be named only"),
     ("source/time/planted2.cc", "#include <arkode/arkode.h>\n", "SUNDIALS may be named only"),

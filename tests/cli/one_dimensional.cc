@@ -64,3 +64,22 @@ TEST(OneDimensional, modesTellWhatGrows)
   EXPECT_NE(rising.out.find("of which 0 grow"), std::string::npos) << rising.out;
   EXPECT_EQ(run_program(folder, "modes " + unit + " --set system/activation=unknown").exit_code, 2);
 }
+
+TEST(OneDimensional, modesAlongARunTellWhereStabilityIsLost)
+{
+  const TestFolder folder;
+  const Outcome    run = run_program(folder, "run " + chain + " --quiet --out c --set time/end=0.01 --set output/checkpoint/keep/every=1");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome along = run_program(folder, "modes " + chain + " --along c --number 2");
+  ASSERT_EQ(along.exit_code, 0) << along.err;
+  const auto rows = lines(folder / "c/modes.csv");
+  ASSERT_GT(rows.size(), 3u);
+  EXPECT_EQ(rows[0], "Time [s],eigenvalue 1 [1/s^2],eigenvalue 2 [1/s^2]");
+  const double smallest = std::stod(rows.back().substr(rows.back().find(',') + 1));
+  EXPECT_NEAR(smallest, -1911. * 1911, 0.05 * 1911 * 1911); // the largest growth rate without force-velocity
+  EXPECT_EQ(run_program(folder, "modes " + chain + " --along c --at 0.01 --out one.csv").exit_code, 0);
+  EXPECT_EQ(lines(folder / "one.csv").size(), 2u);
+  EXPECT_EQ(run_program(folder, "modes " + chain + " --along c --at 7").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "modes " + chain + " --along c --set system/stretch=0.9").exit_code, 2);
+  EXPECT_EQ(run_program(folder, "modes " + chain + " --along nowhere").exit_code, 2);
+}

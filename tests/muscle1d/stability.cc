@@ -3,7 +3,9 @@
 
 #include <myolines/muscle1d/equilibria.h>
 #include <myolines/solve/modes.h>
+#include <myolines/solve/tangent_eigenvalues.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace myolines;
@@ -172,4 +174,22 @@ TEST(Modes, ofTheMasslessUnitAndItsRefusals)
   EXPECT_THROW(modes(mixed, mixed.initial_state(0)), InputError);
   const Muscle1dSystem large(read_muscle_tendon_unit(node(muscle_tendon_unit_schema(), {"masses=2001"})), ledger);
   EXPECT_THROW(modes(large, large.initial_state(0)), InputError);
+}
+
+// Without force-velocity small motions are e^(w t) with w^2 = -mu: the squares of the growth rates of an independent program.
+TEST(Modes, ofTheChainAreTheEigenvaluesOfItsTangent)
+{
+  WorkLedger           ledger;
+  const Muscle1dSystem system(
+      read_isometric_chain(node(isometric_chain_schema(), {"perturbation=0", "stretch=1.15", "force velocity=false"})), ledger);
+  const State         state = system.initial_state(0);
+  std::vector<double> squares;
+  for (const auto &w : modes(system, state))
+    if (w.real() > 0)
+      squares.push_back(-std::norm(w));
+  std::sort(squares.begin(), squares.end());
+  const auto mu = tangent_eigenvalues(system, state, 16, node(LinearSolver::preconditioner_schema()), ledger);
+  ASSERT_EQ(squares.size(), 16u);
+  for (unsigned int i = 0; i < 16; ++i)
+    EXPECT_NEAR(mu[i], squares[i], 1e-9 * std::abs(squares[i]));
 }

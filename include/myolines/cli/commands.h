@@ -3,6 +3,7 @@
 #include <myolines/study/command.h>
 
 #include <filesystem>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,10 +27,22 @@ namespace myolines
   /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps.
   void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out);
 
-  /// Prints growth rates and frequencies of small motions about the initial state of @p scene, and the rows of modes.csv into @p file, unless
-  /// that is empty.
+  /// Prints growth rates and frequencies of small motions about the initial state of @p scene, and the rows of modes.csv into @p file,
+  /// unless that is empty.
   void modes_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, const std::filesystem::path &file,
                      std::ostream &out);
+
+  struct ModesAlongOptions
+  {
+    std::filesystem::path    scene;
+    std::vector<std::string> overrides;
+    std::filesystem::path    run;        ///< output folder of a run of the scene that kept states
+    std::optional<double>    at;         ///< only that time [s]; none: all of them
+    unsigned int             number = 4; ///< of eigenvalues
+    std::filesystem::path    file;       ///< empty: modes.csv in the folder of the run
+  };
+  /// Prints and writes the smallest eigenvalues of the tangent at the states that a run has kept; see tangent_eigenvalues().
+  void modes_along_command(const ModesAlongOptions &options, std::ostream &out);
 
   /// Runs the study that @p options describe as runs of this program; what they leave open is set here.
   void study_command(study::Options options, bool quiet, std::ostream &out);

@@ -65,6 +65,9 @@ namespace myolines
   /// The preconditioner that "automatic" with these options takes.
   std::string automatic_choice(const scene::Node &options, std::size_t n_unknowns, bool two_levels);
 
+  /// The one that the list @p preconditioner of a scene asks for.
+  std::unique_ptr<Preconditioner> make_preconditioner(const scene::Node &preconditioner, const PreconditionerContext &context);
+
   std::unique_ptr<MatrixPreconditioner> make_direct();
   std::unique_ptr<MatrixPreconditioner> make_ml(); ///< with its defaults
   std::unique_ptr<Preconditioner>       make_p_multigrid(WorkLedger &ledger);
