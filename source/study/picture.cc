@@ -50,7 +50,7 @@ namespace myolines::study
       if (words.empty())
         return;
       const bool crowded = axis == "x" && words.size() > 6;
-      out << "set " << axis << "tics " << (crowded ? "rotate by 30 right (" : "(");
+      out << "set " << axis << "tics " << (crowded ? "rotate by 50 right (" : "(");
       for (std::size_t i = 0; i < words.size(); ++i)
         out << (i > 0 ? ", " : "") << quoted(words[i].second) << " " << exact_text(words[i].first);
       out << ")\n";
@@ -157,7 +157,7 @@ namespace myolines::study
         out << "set terminal " << terminal << "\nset output " << quoted(picture.name + extension) << "\n";
         if (picture.panels.empty())
           {
-            out << "set key outside right top\n";
+            out << "set key outside right top spacing " << (picture.lines ? "1" : "1.5") << "\n";
             write_frame(picture, out);
             write_plot(picture, block, out);
           }

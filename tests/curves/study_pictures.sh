@@ -21,6 +21,6 @@ study chapter4_rod ramp__close_up.svg kinks_rod sine__steps_that_methods_choose.
 study chapter4_block isotropic_ramp__close_up.svg kinks_bar_isotropic passive_ramp__close_up.svg kinks_bar_passive \
   active_ramp__close_up.svg kinks_bar_active
 study stability_stress map_0.05.svg stability_0.05 map_0.01.svg stability_0.01 map_0.001.svg stability_0.001
-study stability_short
+study stability_short map_1e_4.svg stability_short_1e-4 map_1e_5.svg stability_short_1e-5
 study energy_drift_rod
 study energy_drift_block

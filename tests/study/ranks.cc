@@ -64,7 +64,7 @@ namespace
     const std::string force      = section("force", parameter("file", "reaction.csv") + parameter("column", "moving end x [N]") +
                                                         parameter("measure", "final")),
                       iterations = section("iterations", parameter("type", "count") + parameter("name", "newton iterations"));
-    folder.write_study(grid("all", listed("step", "time/step", "0.1 | 0.05")),
+    folder.write_study(grid("all", listed("step", "time/step", "0.2 | 0.1")),
                        parameter("settings", "system/geometry/refinement=2 | time/control/type=fixed" + more_settings) +
                            section("quantities", force + iterations));
   }
@@ -132,7 +132,7 @@ TEST(StudyRanks, DieWithTheStudy)
 {
   const StudyFolder folder;
   write_muscle_study(folder, " | time/end=1000 | system/activation/points=0 0; 1000 0");
-  const std::string case_name = (folder / "killed/cases/step=0.1").string();
+  const std::string case_name = (folder / "killed/cases/step=0.2").string();
   {
     Processes   processes;
     const pid_t driver = start(processes, folder, study(folder, "killed", {"--set", "ranks=2", "--jobs", "1"}));
@@ -151,7 +151,8 @@ TEST(StudyRanks, TimeOutIsARow)
 {
   const StudyFolder folder;
   write_muscle_study(folder, " | time/end=1000 | system/activation/points=0 0; 1000 0");
-  ASSERT_EQ(exit_code(folder, study(folder, "late", {"--set", "ranks=2", "--set", "budget/case=3"})), 0) << contents(folder / "console");
+  const std::vector<std::string> settings{"--set", "ranks=2", "--set", "budget/case=10", "--set", "grids/all/step/values=0.1"};
+  ASSERT_EQ(exit_code(folder, study(folder, "late", settings)), 0) << contents(folder / "console");
   for (auto &[name, outcome] : Database(folder / "late/study.sqlite").outcomes())
     {
       EXPECT_EQ(outcome.status, "timed out") << name;
