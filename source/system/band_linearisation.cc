@@ -23,7 +23,8 @@ namespace myolines
   {
     for (const unsigned int i : fixed)
       fixed_[i] = true;
-    first_free_ = std::find(fixed_.begin(), fixed_.end(), false) - fixed_.begin();
+    const unsigned int found = std::find(fixed_.begin(), fixed_.end(), false) - fixed_.begin();
+    typical_                 = std::min(found, size() - 1);
   }
 
   void StoredBands::begin()
@@ -36,7 +37,7 @@ namespace myolines
   template <typename Set>
   void StoredBands::each_entry(const WeightsByOrder &weights, const Set &set) const
   {
-    const double typical = value(weights, first_free_, first_free_);
+    const double typical = value(weights, typical_, typical_);
     for (unsigned int i = 0; i < size(); ++i)
       for (unsigned int j = first(i); j < last(i); ++j)
         set(i, j, !(fixed_[i] || fixed_[j]) ? value(weights, i, j) : i == j ? typical : 0.);

@@ -57,14 +57,14 @@ namespace myolines
       return w.u * e.u + w.v * e.v + w.a * e.a;
     }
 
-    /// Calls set(i, j, value) for the entries of the matrix, with unit rows, times that of the first free unknown, for the fixed ones.
+    /// Calls set(i, j, value) for the entries of the matrix, with unit rows, times a typical entry, for the fixed ones.
     template <typename Set>
     void each_entry(const WeightsByOrder &weights, const Set &set) const;
 
     const std::vector<unsigned int> orders_;
     const unsigned int              bandwidth_;
     std::vector<bool>               fixed_;
-    unsigned int                    first_free_;
+    unsigned int                    typical_; ///< the first free unknown, or the last of all if none is
     WorkLedger                     &ledger_;
     std::vector<Weights>            entries_; ///< of K, C and M
     std::uint64_t                   version_ = 0;
