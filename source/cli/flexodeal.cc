@@ -361,11 +361,12 @@ namespace myolines
     }
 
     /// The text of the scene, read back through the validation that `run` does.
-    std::string validated(const Settings &settings, const std::string &name)
+    std::string validated(const Settings &settings, const std::filesystem::path &file)
     {
+      const std::string   name   = file.string();
       const scene::Schema schema = root_schema(system_entry("muscle 3d", name));
-      const std::string   xml    = scene::written_xml(scene::compose_scene(schema, settings, name));
-      const scene::Node   again  = scene::parse_scene(xml, schema, name);
+      const std::string   xml    = scene::written_xml(scene::compose_scene(schema, settings, name, file.parent_path()));
+      const scene::Node   again  = scene::parse_scene(xml, schema, name, file.parent_path());
       read_muscle3d(again.section("system"));
       make_step_control(again.section("time"));
       return xml;
@@ -375,7 +376,7 @@ namespace myolines
   void import_flexodeal(const FlexodealOptions &options, std::ostream &out)
   {
     const PeerParameters peer(options.parameters);
-    const std::string    xml = validated(translate(options, peer, out), options.scene.string());
+    const std::string    xml = validated(translate(options, peer, out), options.scene);
     try
       {
         replace_file(options.scene, xml);

@@ -15,7 +15,12 @@ namespace
 
   FlexodealOptions options(const TestFolder &folder)
   {
-    return {data / "parameters.prm", data / "strain.dat", data / "activation.dat", folder / "scene.xml", {}, ""};
+    FlexodealOptions files;
+    files.parameters = data / "parameters.prm";
+    files.strain     = data / "strain.dat";
+    files.activation = data / "activation.dat";
+    files.scene      = folder / "scene.xml";
+    return files;
   }
 
   /// The parameters with the first @p from replaced.

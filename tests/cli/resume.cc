@@ -43,7 +43,7 @@ TEST(Resume, ALaterEndExtendsTheRunBitForBit)
       const std::string before  = folder.text(scene + "_part/" + table);
       const Outcome     resumed = folder.run(scene, scene + "_part", step + "--resume");
       ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
-      for (const std::string file : {table, std::string("steps.csv")})
+      for (const std::string &file : {table, std::string("steps.csv")})
         EXPECT_EQ(folder.text(scene + "_part/" + file), folder.text(scene + "_whole/" + file)) << file;
       EXPECT_EQ(folder.text(scene + "_part/" + table).substr(0, before.size()), before);
       EXPECT_NE(folder.text(scene + "_part/manifest.json").find("\"resumed\": \"after step 4 at t = " + end + " s\""), std::string::npos);
