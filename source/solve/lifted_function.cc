@@ -82,6 +82,9 @@ namespace myolines
     return sample;
   }
 
+  /// Relative residual of a Newton direction that is good where the linear solver stalls.
+  constexpr double enough = 0.1;
+
   LinearReport LiftedFunction::direction(const Vector &x, Sample &sample, Vector &g, const double tolerance, Vector &dx)
   {
     linearise(x, sample.stamp);
@@ -94,8 +97,8 @@ namespace myolines
       }
     Vector right(g);
     right *= -1;
-    const LinearReport report =
-        linear_.solve(problem_.linearisation(), problem_.weights(), problem_.constraints(), problem_.symmetric(), right, dx, tolerance);
+    const LinearReport report = linear_.solve(problem_.linearisation(), problem_.weights(), problem_.constraints(), problem_.symmetric(),
+                                              right, dx, tolerance, enough);
     free_.distribute(dx);
     if (open)
       dx += missing;

@@ -87,13 +87,14 @@ namespace myolines
     void forget() { preconditioner_.reset(); }
 
     LinearReport solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, const bool symmetric,
-                       const Vector &b, Vector &x, const double tolerance);
+                       const Vector &b, Vector &x, const double tolerance, const double enough);
 
   private:
     void         build(Linearisation &linearisation);
     void         watch(unsigned int iterations, double tolerance);
-    LinearReport attempt(bool symmetric, const Vector &b, Vector &x, double tolerance);
+    LinearReport attempt(bool symmetric, const Vector &b, Vector &x, double tolerance, double enough);
     void         krylov(bool cg, const Vector &b, Vector &x, double tolerance, LinearReport &report);
+    bool         promising(double before, const LinearReport &report, double tolerance, double enough) const;
     double       true_residual(const Vector &b, const Vector &x) const;
 
     const std::string  type_;
@@ -148,7 +149,18 @@ namespace myolines
     return r.l2_norm() / b.l2_norm();
   }
 
-  /// Improves @p x; throws what Belos throws on breakdown.
+  /// Whether what is left of the iterations would do if every cycle reduced the residual like the last one, from @p before. Where the
+  /// residual is small @p enough anyway, a cycle must have halved it.
+  bool LinearSolver::Implementation::promising(const double before, const LinearReport &report, const double tolerance,
+                                               const double enough) const
+  {
+    const double now = report.relative_residual;
+    if (report.iterations >= maximum_iterations_ || !(now < before) || (now <= enough && now > 0.5 * before))
+      return false;
+    return now * std::pow(now / before, static_cast<double>(maximum_iterations_ - report.iterations) / restart_) <= tolerance;
+  }
+
+  /// Improves @p x, with gmres by one cycle; throws what Belos throws on breakdown.
   void LinearSolver::Implementation::krylov(const bool cg, const Vector &b, Vector &x, const double tolerance, LinearReport &report)
   {
     const Epetra_Map     map  = b.locally_owned_elements().make_trilinos_map(b.get_mpi_communicator());
@@ -176,8 +188,9 @@ namespace myolines
     if (!problem->setProblem())
       throw std::runtime_error("Belos refuses the problem");
 
-    const auto list = Teuchos::rcp(new Teuchos::ParameterList);
-    list->set("Maximum Iterations", static_cast<int>(maximum_iterations_));
+    const auto         list      = Teuchos::rcp(new Teuchos::ParameterList);
+    const unsigned int remaining = report.iterations < maximum_iterations_ ? maximum_iterations_ - report.iterations : restart_;
+    list->set("Maximum Iterations", static_cast<int>(cg ? remaining : std::min(restart_, remaining)));
     list->set("Convergence Tolerance", tolerance);
     list->set("Implicit Residual Scaling", "Norm of RHS");
     list->set("Explicit Residual Scaling", "Norm of RHS");
@@ -185,7 +198,7 @@ namespace myolines
     if (!cg)
       {
         list->set("Num Blocks", static_cast<int>(restart_));
-        list->set("Maximum Restarts", static_cast<int>(maximum_iterations_ / restart_ + 1));
+        list->set("Maximum Restarts", 0);
         list->set("Orthogonalization", "IMGS");
         // A preconditioner in single precision is no linear map: flexible gmres keeps its every result, and its residual is true.
         list->set("Flexible Gmres", true);
@@ -206,7 +219,8 @@ namespace myolines
     report.iterations += manager->getNumIters();
   }
 
-  LinearReport LinearSolver::Implementation::attempt(const bool symmetric, const Vector &b, Vector &x, const double tolerance)
+  LinearReport LinearSolver::Implementation::attempt(const bool symmetric, const Vector &b, Vector &x, const double tolerance,
+                                                     const double enough)
   {
     LinearReport report;
     // The inner tests of Belos differ from the true residual by round-off: let them stop a little later.
@@ -231,7 +245,8 @@ namespace myolines
       {
         if (cg && !(type_ == "cg" || (type_ == "automatic" && symmetric)))
           continue;
-        // Round-off of a preconditioner in single precision can end a solve early: it goes on while that helps.
+        // It goes on while the iterations that are left would do at the rate of the last cycle: an indefinite operator, on which a
+        // cycle gains next to nothing, is soon given up.
         for (double before = 1; !report.converged;)
           {
             try
@@ -244,7 +259,7 @@ namespace myolines
               {
                 report.reason = std::string(cg ? "cg" : "gmres") + " broke down: " + error.what();
               }
-            if (verified() || !(report.relative_residual < 0.5 * before) || report.iterations >= maximum_iterations_)
+            if (verified() || !promising(before, report, tolerance, enough))
               break;
             before = report.relative_residual;
           }
@@ -266,7 +281,7 @@ namespace myolines
 
   LinearReport LinearSolver::Implementation::solve(Linearisation &linearisation, const WeightsByOrder &weights,
                                                    const Constraints &constraints, const bool symmetric, const Vector &b, Vector &x,
-                                                   const double tolerance)
+                                                   const double tolerance, const double enough)
   {
     ledger_.count("linear solves");
     LinearReport report;
@@ -293,7 +308,7 @@ namespace myolines
             const bool fresh = fresh_;
             {
               const WorkLedger::Timer timer(ledger_, "linear solve");
-              report = attempt(symmetric, right, x, tolerance);
+              report = attempt(symmetric, right, x, tolerance, enough);
             }
             iterations += report.iterations;
             if (report.converged || fresh)
@@ -328,8 +343,8 @@ namespace myolines
   void LinearSolver::forget() { implementation_->forget(); }
 
   LinearReport LinearSolver::solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints,
-                                   const bool symmetric, const Vector &b, Vector &x, const double tolerance)
+                                   const bool symmetric, const Vector &b, Vector &x, const double tolerance, const double enough)
   {
-    return implementation_->solve(linearisation, weights, constraints, symmetric, b, x, tolerance);
+    return implementation_->solve(linearisation, weights, constraints, symmetric, b, x, tolerance, enough);
   }
 } // namespace myolines

@@ -56,9 +56,11 @@ namespace myolines
 
     /// Solves to |b - J x| <= @p tolerance |b| over the free unknowns. Entries of constrained unknowns of @p b are
     /// ignored (a right-hand side f is given as C^T f) and those of @p x come back zero. Never throws: what went wrong is
-    /// in the report, and x then holds the best iterate found, which may be zero.
+    /// in the report, and x then holds the best iterate found, which may be zero. GMRES gives up when its last cycle tells
+    /// that the iterations which are left will not do, and already when it did not halve a residual below @p enough |b|:
+    /// another step of Newton's method is then worth more.
     LinearReport solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, bool symmetric,
-                       const Vector &b, Vector &x, double tolerance);
+                       const Vector &b, Vector &x, double tolerance, double enough = 0);
 
   private:
     class Implementation;
