@@ -109,6 +109,8 @@ namespace myolines
         Stage        stage;
         stage.t = state.t + dt;
         stage.c = {1, c, c * c};
+
+        stage.first_v = &state.v;
         // c (u_1 - u^) = v_1, c (v_1 - v^) = a_1 with u^ = u_0 + memory du, v^ = v_0 + memory dv
         combine(end_.v, {{1, &state.v}, {memory, &last_dv_}});
         combine(end_.u, {{1, &state.u}, {memory, &last_du_}, {1 / c, &end_.v}});

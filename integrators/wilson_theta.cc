@@ -65,6 +65,7 @@ namespace myolines
         stage.t       = state.t + dt;
         stage.c       = {1, 3 / dt, 6 / (dt * dt)};
         stage.average = &average;
+        stage.first_v = &state.v;
         return solver_.step(stage, end_, d_, state);
       }
 

@@ -46,6 +46,8 @@ namespace myolines
   {
     linearise(x, sample.stamp);
     problem_.linearisation().apply(problem_.weights(), missing, lift_);
+    if (has_rate_gap_)
+      problem_.lift_rates(lift_);
     free_.condense(lift_);
     g += lift_;
     lifted_at_       = sample.stamp;
@@ -55,27 +57,40 @@ namespace myolines
 
   LiftedFunction::Sample LiftedFunction::first(const Vector &x, const std::uint64_t stamp, Vector &g)
   {
-    Sample       sample  = evaluate(x, stamp, 0, g);
+    has_rate_gap_        = problem_.open_rates(x);
+    Sample       sample  = sample_at(x, stamp, g);
     const Vector missing = gap(x);
-    if (sample.evaluation.admissible && missing.linfty_norm() > 0)
+    if (sample.evaluation.admissible && (has_rate_gap_ || missing.linfty_norm() > 0))
       add_lift(x, missing, sample, g);
     return sample;
   }
 
   LiftedFunction::Sample LiftedFunction::evaluate(const Vector &x, const std::uint64_t stamp, const double remaining, Vector &g)
   {
+    if (has_rate_gap_)
+      problem_.keep_open(remaining);
+    Sample sample    = sample_at(x, stamp, g);
+    sample.remaining = remaining;
+    if (remaining != 0 && sample.evaluation.admissible)
+      {
+        g.add(remaining, lift_);
+        sample.norm = norm_or_nan(g);
+      }
+    return sample;
+  }
+
+  /// C^T F(x) with the rate gap as open as it is.
+  LiftedFunction::Sample LiftedFunction::sample_at(const Vector &x, const std::uint64_t stamp, Vector &g)
+  {
     ++evaluations_;
     Sample sample;
     sample.stamp      = stamp;
-    sample.remaining  = remaining;
     sample.evaluation = problem_.residual(x, g);
     sample.norm       = std::numeric_limits<double>::quiet_NaN();
     if (!sample.evaluation.admissible)
       return sample;
 
     free_.condense(g);
-    if (remaining != 0)
-      g.add(remaining, lift_);
     sample.norm = norm_or_nan(g);
     if (!std::isfinite(sample.norm))
       sample.evaluation = {false, "the residual is not a finite number"};

@@ -43,6 +43,8 @@ namespace myolines
         stage.t     = state.t + dt;
         stage.c     = predict(dt, state);
         stage.scale = keeps_force_ ? 1 - c_.alpha_f : 1;
+        if (c_.beta != 0)
+          stage.first_v = &state.v;
 
         Stage::Average average{stage.t, &offset_, {1, 1, 1}};
         if (c_.alpha_m != 0 || c_.alpha_f != 0)

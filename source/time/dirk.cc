@@ -87,8 +87,9 @@ namespace myolines
         const double g    = diagonal(i, dt);
         const bool   last = i + 1 == n_stages;
         Stage        stage;
-        stage.t = last ? state.t + dt : state.t + table_.c(i) * dt;
-        stage.c = {1, 1 / g, 1 / (g * g)};
+        stage.t       = last ? state.t + dt : state.t + table_.c(i) * dt;
+        stage.c       = {1, 1 / g, 1 / (g * g)};
+        stage.first_v = i == 0 ? &state.v : &stages_[i - 1].v;
         predict(i, dt, state, stages_[i]);
         record(solver_.solve(stage, stages_[i], d_), report);
         if (!report.accepted())

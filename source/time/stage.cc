@@ -28,6 +28,7 @@ namespace myolines
       if (free)
         return;
       free.emplace(system.constraints(), layout);
+      gap = layout;
       for (State *state : {&end, &average})
         *state = State{0, layout, layout, layout};
       for (const auto &line : system.constraints().get_lines())
@@ -52,6 +53,7 @@ namespace myolines
     bool                           linearised = false;
     std::optional<FreeUnknowns>    free;
     std::vector<unsigned int>      constrained_rows; ///< local numbers
+    Vector                         gap;              ///< from the velocities of the first guess to those given for it
     State                          end;              ///< of the stage
     State                          average;          ///< where the residual is evaluated, if not there
     Weights                        weights;          ///< of the last stage
@@ -122,6 +124,31 @@ namespace myolines
     bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
     bool                  affine() const override { return work_.capabilities.linear; }
 
+    bool open_rates(const Vector &d) override
+    {
+      if (stage_.first_v == nullptr || work_.capabilities.linear)
+        return false;
+      combine(work_.gap, {{1, stage_.first_v}, {-1, &predictor_.v}, {-stage_.c.v, &d}});
+      open_ = work_.gap.linfty_norm() > 0 ? 1 : 0;
+      return open_ != 0;
+    }
+
+    void keep_open(const double share) override { open_ = share; }
+
+    void lift_rates(Vector &y) override
+    {
+      Vector &gap = work_.gap;
+      gap *= open_;
+      open_           = 1;
+      const double  c = stage_.scale * (stage_.average != nullptr ? stage_.average->weight.v : 1);
+      const Weights rate{0, c, 0};
+      Vector        part(y);
+      gap.update_ghost_values();
+      work_.linearisation->apply({{Weights{}, rate, rate}}, gap, part);
+      gap.zero_out_ghost_values();
+      y -= part;
+    }
+
     /// Sixteen units in the last place of the largest displacement.
     double resolution() const override
     {
@@ -140,6 +167,7 @@ namespace myolines
     /// u~ + c_u d, and with exact rates their derivatives too.
     void finish(const Vector &d)
     {
+      open_ = 0;
       set_end(d);
       swap(work_.end, predictor_);
       State &state = predictor_;
@@ -163,6 +191,8 @@ namespace myolines
       end.t      = stage_.t;
       combine(end.u, {{1, &predictor_.u}, {stage_.c.u, &d}});
       combine(end.v, {{1, &predictor_.v}, {stage_.c.v, &d}});
+      if (open_ != 0)
+        combine(end.v, {{1, &end.v}, {open_, &work_.gap}});
       combine(end.a, {{1, &predictor_.a}, {stage_.c.a, &d}});
       update_ghosts(end);
     }
@@ -214,6 +244,7 @@ namespace myolines
     Vector State::*by_; ///< the quantity whose prescribed value determines d
     double         c_by_;
     WeightsByOrder weights_;
+    double         open_ = 0; ///< share of the rate gap
   };
 
   /// J d + r = 0 at a fixed linearisation.

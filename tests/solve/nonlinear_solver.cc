@@ -89,6 +89,44 @@ namespace
     problem.jacobian = [](const Values &x) { return std::vector<Values>{{2 * x[0], 2 * x[1]}, {x[1], x[0]}}; };
   }
 
+  /// x + D ((x - 1) / h + w) - 2 with a damper D, evaluated at the first guess at a rate that is off by w.
+  class Damped : public SmallProblem
+  {
+  public:
+    double gap = 0;
+    double at  = 0; ///< share of the gap that is open
+
+    Damped(const std::function<double(double)> &damper, const std::function<double(double)> &slope, const double h)
+      : SmallProblem(1)
+      , slope_(slope)
+      , h_(h)
+    {
+      f        = [=](const Values &x) { return Values{x[0] + damper((x[0] - 1) / h + at * gap) - 2}; };
+      jacobian = [=](const Values &x) {
+        slope_here_ = slope((x[0] - 1) / h + at * gap);
+        return std::vector<Values>{{1 + slope_here_ / h}};
+      };
+    }
+
+    bool open_rates(const Vector &) override
+    {
+      at = gap == 0 ? 0 : 1;
+      return gap != 0;
+    }
+    void keep_open(const double share) override { at = share; }
+    void lift_rates(Vector &y) override
+    {
+      gap *= at;
+      at = 1;
+      y(0) -= slope_here_ * gap;
+    }
+
+  private:
+    std::function<double(double)> slope_;
+    double                        h_;
+    double                        slope_here_ = 0;
+  };
+
   const Overrides tight = {"relative tolerance=1e-14", "absolute tolerance=1e-14"};
 } // namespace
 
@@ -316,4 +354,47 @@ TEST(NonlinearSolver, refusesContradictingTolerances)
   EXPECT_THROW(Solvers({"forcing minimum=0.1", "forcing maximum=0.01"}), InputError);
   EXPECT_THROW(Solvers({"relative tolerance=2"}), InputError);
   EXPECT_THROW(Solvers({"relative toleranse=1e-3"}), InputError);
+}
+
+TEST(NonlinearSolver, closesAGapOfTheRates)
+{
+  // An affine problem: one step, wherever the rate began.
+  for (const double gap : {0., -7.})
+    {
+      Solvers solvers(tight);
+      Damped  problem([](double r) { return 3 * r; }, [](double) { return 3.; }, 0.5);
+      problem.gap                  = gap;
+      Vector                x      = problem.start({5});
+      const NonlinearReport report = solvers.nonlinear.solve(problem, x);
+      ASSERT_TRUE(report.converged) << report.reason;
+      EXPECT_EQ(report.iterations, 1u);
+      EXPECT_NEAR(x(0), 8. / 7, 1e-14); // x + 6 (x - 1) = 2
+      EXPECT_EQ(problem.at, 0);
+    }
+
+  // A damper that saturates: the rate of the guess, -10, tells Newton's method nothing of the slope at the root, a rate of -0.1 does.
+  // Damped steps, which leave a part of the gap, end at the same root.
+  const auto   damper = [](double r) { return 20 * std::tanh(r); };
+  const auto   slope  = [](double r) { return 20 / (std::cosh(r) * std::cosh(r)); };
+  const double root   = [&] {
+    double low = 0, high = 2;
+    while (high - low > 1e-16 * high && 0.5 * (low + high) != low && 0.5 * (low + high) != high)
+      (0.5 * (low + high) + damper((0.5 * (low + high) - 1) / 0.1) > 2 ? high : low) = 0.5 * (low + high);
+    return low;
+  }();
+  std::map<double, unsigned int> iterations;
+  for (const double gap : {0., 9.9, 11., 14.})
+    {
+      Solvers solvers(tight);
+      Damped  problem(damper, slope, 0.1);
+      problem.gap                  = gap;
+      Vector                x      = problem.start({0});
+      const NonlinearReport report = solvers.nonlinear.solve(problem, x);
+      ASSERT_TRUE(report.converged) << report.reason << ", gap " << gap;
+      EXPECT_NEAR(x(0), root, 1e-14);
+      EXPECT_EQ(problem.at, 0);
+      iterations[gap] = report.iterations;
+    }
+  EXPECT_LT(iterations[9.9], iterations[0]);
+  EXPECT_LE(iterations[9.9], 6u);
 }

@@ -17,6 +17,9 @@ namespace myolines
   /// with dx = C dq + gap and C^T J C dq = -G(x_0): the Dirichlet lift. G falls like 1 - alpha whatever part of the gap is
   /// closed, so one line search serves steps with and without a lift; what a damped step leaves is lifted anew by the
   /// next. With nothing to lift G is the residual on the free unknowns.
+  ///
+  /// A gap w between the rates at which F is evaluated and those of x (NonlinearProblem::open_rates()) is closed with it: F is that of
+  /// (1 - alpha) w, and (1 - alpha) (dF/dw) w is taken from G.
   class LiftedFunction
   {
   public:
@@ -50,6 +53,7 @@ namespace myolines
     unsigned int evaluations() const { return evaluations_; }
 
   private:
+    Sample sample_at(const Vector &x, std::uint64_t stamp, Vector &g);
     Vector gap(const Vector &x) const;
     void   linearise(const Vector &x, std::uint64_t stamp);
     void   add_lift(const Vector &x, const Vector &missing, Sample &sample, Vector &g);
@@ -58,7 +62,8 @@ namespace myolines
     LinearSolver      &linear_;
     WorkLedger        &ledger_;
     const FreeUnknowns free_;
-    Vector             lift_; ///< C^T J gap of the point lifted last
+    Vector             lift_; ///< C^T (J gap - (dF/dw) w) of the point lifted last
+    bool               has_rate_gap_  = false;
     std::uint64_t      lifted_at_     = 0;
     std::uint64_t      linearised_at_ = 0;
     std::uint64_t      last_stamp_    = 0;

@@ -38,7 +38,8 @@ namespace myolines
     static scene::Schema linear_schema();
     static scene::Schema preconditioner_schema();
 
-    /// What the lists choose for a system, in words; @p constant: its Jacobian is. @throws InputError if the preconditioner does not fit the system.
+    /// What the lists choose for a system, in words; @p constant: its Jacobian is. @throws InputError if the preconditioner does not fit
+    /// the system.
     static std::vector<std::string> plan(const scene::Node &linear, const scene::Node &preconditioner, const Linearisation &linearisation,
                                          std::size_t n_unknowns, bool constant);
 

@@ -29,6 +29,16 @@ namespace myolines
     virtual const WeightsByOrder &weights() const   = 0; ///< J = dF/dx = weights applied to the linearisation
     virtual bool                  symmetric() const = 0; ///< whether J is symmetric
 
+    /// Called at the first guess @p x: F may from now on be evaluated at better rates than those of x. False: it is not, on any rank.
+    /// Newton's method closes that gap w as it closes the one of constrained entries; see LiftedFunction.
+    virtual bool open_rates(const Vector & /*x*/) { return false; }
+
+    /// From now on @p share of the rate gap is open; 0: F is evaluated at the rates of x.
+    virtual void keep_open(double /*share*/) {}
+
+    /// What is open now becomes the whole gap w, and @p y -= (dF/dw) w at the last linearise().
+    virtual void lift_rates(Vector & /*y*/) {}
+
     /// Whether F is affine: a direct solve then ends at the root, where only rounding is left of the residual.
     virtual bool affine() const { return false; }
 

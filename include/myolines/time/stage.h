@@ -31,6 +31,10 @@ namespace myolines
     };
     const Average *average = nullptr; ///< none: at the end of the stage
 
+    /// First guess of the velocities, or none: those of the guess of d. Newton's method then starts at velocities that do not belong
+    /// to its displacements; its first step closes the gap.
+    const Vector *first_v = nullptr;
+
     /// False: constrained unknowns keep their predictors and g(t) plays no part.
     bool prescribed = true;
   };
@@ -52,7 +56,8 @@ namespace myolines
     /// Methods write u = u~ + d with u~ extrapolated, so that accelerations are d over dt^2 without cancellation. They guess d = 0
     /// for linear systems: a correction of the size of dt^2 a has errors 1/(omega dt) times smaller than one of the size of dt v.
     /// For others they guess a displacement that the body has had: extrapolated ones violate the volume constraint of nearly
-    /// incompressible bodies and make the tangent indefinite.
+    /// incompressible bodies and make the tangent indefinite. With that displacement u~ + d, velocities v~ + c_v d may be far from any
+    /// the body has had; Stage::first_v gives better ones.
     StepReport step(const Stage &stage, State &predictors, Vector &d, State &state);
 
     /// J d + r = 0 with J = w.u K + w.v C + w.a M of the last linearise(); linearly implicit methods need no more. On entry
