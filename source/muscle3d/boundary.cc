@@ -99,6 +99,8 @@ namespace myolines
           condition.load = node.number("force");
           if (node.has("stop"))
             {
+              if (condition.load < 0)
+                node.refuse("force", "pulls the face away from its stop", "a number >= 0", "turn the \"direction\" instead");
               condition.spring        = make_stop_spring(node.section("stop").number("stiffness"));
               condition.stop_position = node.section("stop").number("position");
             }

@@ -45,6 +45,14 @@ TEST(AfterloadedContraction, IsIsometricThenIsotonicThenIsometric)
   EXPECT_EQ(contents(folder / "out" / "energy_balance.csv").find("Stored springs [J]") != std::string::npos, true);
 }
 
+TEST(AfterloadedContraction, ALoadThatPullsAwayFromItsStopIsRefused)
+{
+  const TestFolder folder;
+  const Outcome    outcome = run_program(folder, "check " + scene + " --set system/boundary/load/force=-8");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("boundary/load/force: pulls the face away from its stop"), std::string::npos) << outcome.err;
+}
+
 TEST(AfterloadedContraction, CheckTellsOfItsTieAndItsStop)
 {
   const TestFolder  folder;
