@@ -108,10 +108,11 @@ namespace myolines
           add_to(t.base, 1, node, "");
           return;
         }
-      const double matrix = node.number("matrix fraction");
-      add_to(t.base, matrix * node.number("matrix factor"), node, "matrix ");
-      add_to(t.base, (1 - matrix) * node.number("cell factor"), node, "cell ");
-      t.bulk_modulus = matrix * node.number("matrix bulk modulus") + (1 - matrix) * t.bulk_modulus;
+      add_to(t.base, node.number("cell factor"), node, "cell ");
+      t.matrix.emplace();
+      t.matrix->fraction     = node.number("matrix fraction");
+      t.matrix->bulk_modulus = node.number("matrix bulk modulus");
+      add_to(t.matrix->base, node.number("matrix factor"), node, "matrix ");
     }
   } // namespace
 
@@ -166,16 +167,26 @@ namespace myolines
 
   Material material(const TissueParameters &t)
   {
-    const auto   base = t.base.coefficients(), fat = t.fat.base.coefficients();
+    auto         base = t.base.coefficients();
+    double       bulk = t.bulk_modulus;
+    const auto   fat  = t.fat.base.coefficients();
     const double f = t.fat.fraction, rest = 1 - f;
-    const bool   muscle = t.fibre.law == FibreLaw::muscle;
-    Material     m{};
+    if (t.matrix)
+      {
+        const double chi    = t.matrix->fraction;
+        const auto   matrix = t.matrix->base.coefficients();
+        for (int i = 0; i < 3; ++i)
+          base[i] = chi * matrix[i] + (1 - chi) * base[i];
+        bulk = chi * t.matrix->bulk_modulus + (1 - chi) * bulk;
+      }
+    const bool muscle = t.fibre.law == FibreLaw::muscle;
+    Material   m{};
     for (int i = 0; i < 3; ++i)
       {
         m[material_direction + i] = t.fibre.direction[i];
         m[material_yeoh + i]      = rest * base[i] + f * fat[i];
       }
-    m[material_bulk]     = rest * t.bulk_modulus + f * t.fat.bulk_modulus;
+    m[material_bulk]     = rest * bulk + f * t.fat.bulk_modulus;
     m[material_density]  = t.density;
     m[material_active]   = muscle ? rest * t.fibre.sigma0 : 0;
     m[material_passive]  = m[material_active];

@@ -2,6 +2,7 @@
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/formula.h>
 
+#include <cmath>
 #include <limits>
 
 namespace myolines
@@ -22,8 +23,16 @@ namespace myolines
         .optional_text("fat fraction",
                        "Fat in the muscle [-], a formula with values in [0, 1]; the law is that of tissues/muscle/fat or its default.")
         .optional_text("activation scale", "Factor of the activation [-], a formula with values >= 0.")
-        .optional_file("table", "CSV of points: qp_x, qp_y, qp_z and any of max_iso_stress_muscle, muscle_fibre_orientation_x, _y, _z, "
-                                "fat_fraction, activation_scale, tissue_id; each place takes the nearest row. Comes after the formulas.");
+        .optional_text("matrix fraction",
+                       "Extracellular matrix in the base material of the muscle [-], a formula with values in [0, 1]; the "
+                       "base is that of type \"matrix and cells\".")
+        .optional_text("tissue",
+                       "Tissue of each point, a formula with values 1 (muscle), 2 (aponeurosis) or 3 (tendon), as in \"x<0.01 ? 2 : 1\"; "
+                       "takes the place of the tissues of the cells.")
+        .optional_file(
+            "table",
+            "CSV of points: qp_x, qp_y, qp_z and any of max_iso_stress_muscle, muscle_fibre_orientation_x, _y, _z, "
+            "fat_fraction, activation_scale, matrix_fraction, tissue_id; each place takes the nearest row. Comes after the formulas.");
   }
 
   BodyFields read_fields(const Node &node)
@@ -32,15 +41,18 @@ namespace myolines
     fields.stress           = formula_or_none(node, "maximum isometric stress");
     fields.fat              = formula_or_none(node, "fat fraction");
     fields.activation_scale = formula_or_none(node, "activation scale");
+    fields.matrix           = formula_or_none(node, "matrix fraction");
+    fields.tissue           = formula_or_none(node, "tissue");
     if (node.has("table"))
       fields.table = std::make_shared<PointProperties>(node.file("table"));
     return fields;
   }
 
   /// The formulas, parsed.
-  struct MaterialField::MuscleFormulas
+  struct MaterialField::Formulas
   {
-    VectorFormula                scalars;
+    VectorFormula                scalars; ///< stress, fat, activation scale
+    VectorFormula                others;  ///< fraction of matrix, tissue
     std::optional<VectorFormula> direction;
     std::vector<VectorFormula>   regions;
   };
@@ -52,7 +64,8 @@ namespace myolines
     if (!fields.formulas())
       return;
     const std::array<std::string, 3> scalars{{or_zero(fields.stress), or_zero(fields.fat), or_zero(fields.activation_scale)}};
-    auto                             formulas = std::make_shared<MuscleFormulas>(MuscleFormulas{VectorFormula(scalars), {}, {}});
+    const std::array<std::string, 3> others{{or_zero(fields.matrix), or_zero(fields.tissue), "0"}};
+    auto                             formulas = std::make_shared<Formulas>(Formulas{VectorFormula(scalars), VectorFormula(others), {}, {}});
     if (!fields.direction[0].empty())
       formulas->direction.emplace(fields.direction);
     for (const std::string &region : fields.regions)
@@ -63,6 +76,15 @@ namespace myolines
   MaterialField::AtPoint MaterialField::at(const dealii::Point<3> &x, unsigned int material_id,
                                            const std::optional<std::array<double, 3>> &along) const
   {
+    std::string problem;
+    if (!fields_.tissue.empty())
+      {
+        const double id = formulas_->others(1, x, 0), nearest = std::round(id);
+        if (std::abs(id - nearest) < 1e-9 && nearest > 0 && tissues_.count(static_cast<unsigned int>(nearest)) > 0)
+          material_id = static_cast<unsigned int>(nearest);
+        else
+          problem = "gives " + std::to_string(id) + " for the tissue";
+      }
     TissueParameters tissue           = tissues_.at(material_id);
     double           activation_scale = 1, distance = 0;
     unsigned int     region       = 0;
@@ -74,13 +96,15 @@ namespace myolines
       tissue.fibre.direction = unit_vector(*along).value_or(no_direction());
     if (material_id == muscle_id && formulas_)
       {
-        const MuscleFormulas &formulas = *formulas_;
+        const Formulas &formulas = *formulas_;
         if (!fields_.stress.empty())
           tissue.fibre.sigma0 = formulas.scalars(0, x, 0);
         if (!fields_.fat.empty())
           tissue.fat.fraction = formulas.scalars(1, x, 0);
         if (!fields_.activation_scale.empty())
           activation_scale = formulas.scalars(2, x, 0);
+        if (!fields_.matrix.empty())
+          tissue.matrix.value().fraction = formulas.others(0, x, 0);
         if (formulas.direction)
           {
             const VectorFormula &a = *formulas.direction;
@@ -105,12 +129,16 @@ namespace myolines
             tissue.fibre.sigma0 = row.stress.value_or(tissue.fibre.sigma0);
             tissue.fat.fraction = row.fat.value_or(tissue.fat.fraction);
             activation_scale *= row.activation_scale.value_or(1);
+            if (row.matrix)
+              tissue.matrix.value().fraction = *row.matrix;
           }
       }
+    if (tissue.matrix && !(tissue.matrix->fraction >= 0 && tissue.matrix->fraction <= 1))
+      problem = "gives a fraction of extracellular matrix of " + std::to_string(tissue.matrix->fraction);
     Material m = material(tissue);
     m[material_active] *= activation_scale;
     m[material_tissue] = material_id;
     m[material_region] = region;
-    return {m, distance};
+    return {m, distance, problem};
   }
 } // namespace myolines

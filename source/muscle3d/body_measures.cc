@@ -214,7 +214,13 @@ namespace myolines
         reaction.force = dealii::Utilities::MPI::sum(reaction.force, space.communicator());
         reaction.power = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
         if (condition->is_spring())
-          reaction.force += system.surface_forces().force(state.t, state.u, *condition);
+          {
+            const dealii::Tensor<1, 3> spring = system.surface_forces().force(state.t, state.u, *condition);
+            reaction.force += spring;
+            if (condition->has_stop())
+              for (unsigned int c = 0; c < 3; ++c)
+                reaction.stop += spring[c] * condition->direction[c];
+          }
         if (condition->type == BoundaryCondition::Type::isotonic)
           for (unsigned int c = 0; c < 3; ++c)
             reaction.force[c] += condition->load * condition->factor(state.t, Side::left) * condition->direction[c];

@@ -95,7 +95,16 @@ namespace myolines
       if (condition.type == Type::directed_traction)
         condition.load = node.number("traction");
       if (condition.type == Type::isotonic)
-        condition.load = node.number("force");
+        {
+          condition.load = node.number("force");
+          if (node.has("stop"))
+            {
+              if (condition.load < 0)
+                node.refuse("force", "pulls the face away from its stop", "a number >= 0", "turn the \"direction\" instead");
+              condition.spring        = make_stop_spring(node.section("stop").number("stiffness"));
+              condition.stop_position = node.section("stop").number("position");
+            }
+        }
       if (condition.type == Type::directed_traction || condition.moves_as_one())
         condition.direction = read_direction(node, "direction");
       if (condition.moves_as_one())
@@ -242,8 +251,12 @@ namespace myolines
           .choice("across", "free", {"free", "held"}, "Whether points of the face may move across n.");
       return schema;
     };
-    const Schema isotonic = load(as_one(Schema("The face moves as one along a direction, as far as a given force takes it.")), "force", "N",
-                                 "Force along n: positive where it pulls that way.");
+    Schema isotonic = load(as_one(Schema("The face moves as one along a direction, as far as a given force takes it.")), "force", "N",
+                           "Force along n: positive where it pulls that way.");
+    Schema stop("A stop for afterloaded contractions: the force -k max(0, q - position) along n keeps the face from moving farther.");
+    stop.number("stiffness", std::nullopt, "N/m", Range::positive(), "k: the face stands beyond the stop by the force on it over k.")
+        .number("position", 0, "m", Range::any(), "Motion q = u.n of the face where it touches the stop.");
+    isotonic.optional_section("stop", stop);
 
     Schema tendon =
         as_one(Schema("The face moves as one along a direction, pulled by a tendon in series. The tendon is slack at rest, its far "

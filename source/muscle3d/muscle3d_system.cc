@@ -26,8 +26,9 @@ namespace myolines
     const std::vector<std::string> problems = dealii::Utilities::MPI::all_gather(discretisation_->communicator, materials_->problem());
     for (const std::string &problem : problems)
       if (!problem.empty())
-        throw InputError(InputProblem{"system/fields", problem,
-                                      "fat fractions in [0, 1], stresses and scales >= 0, fibre directions, everywhere in the body", ""});
+        throw InputError(InputProblem{
+            "system/fields", problem,
+            "fractions in [0, 1], stresses and scales >= 0, fibre directions, tissues that have a list, everywhere in the body", ""});
   }
 
   Muscle3dSystem::~Muscle3dSystem() = default;

@@ -87,17 +87,23 @@ namespace myolines
         {
           const bool needed = std::find(of_body.begin(), of_body.end(), kind.name) != of_body.end();
           const bool given  = kind.id == muscle_id || lists.has(kind.name);
+          const bool named  = given && !p.fields.tissue.empty(); // a formula may name any that has a list
           if (needed && !given)
             lists.refuse(kind.name, "the body has cells of " + kind.name + ", but this list is missing", "a list \"" + kind.name + "\"",
                          "an empty list takes all defaults");
-          if (!needed && given)
+          if (!needed && given && !named)
             lists.refuse(kind.name, "the body has no cells of " + kind.name, "no such list for this geometry", "remove it");
-          if (!needed)
+          if (!needed && !named)
             continue;
           TissueParameters &tissue = p.tissues[kind.id] = read_tissue(kind, lists.section(kind.name));
           tissue.fibre.direction                        = along;
           if (kind.id == muscle_id)
-            continue;
+            {
+              if (p.fields.has_matrix() && !tissue.matrix)
+                lists.section(kind.name).section("base").refuse("type", "system/fields gives fractions of extracellular matrix",
+                                                                "\"matrix and cells\"");
+              continue;
+            }
           const Node &fibre = lists.section(kind.name).section("fibre");
           if (fibre.has("direction"))
             tissue.fibre.direction = read_direction(fibre, "direction");

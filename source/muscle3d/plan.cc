@@ -1,9 +1,51 @@
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/scene/numbers.h>
+
+#include <algorithm>
+#include <functional>
 
 namespace myolines
 {
+  namespace
+  {
+    /// "load (x+)" of all conditions that @p tells something of, with what it tells.
+    std::string list_conditions(const Muscle3dParameters &p, const std::function<std::string(const BoundaryCondition &)> &tells)
+    {
+      std::string text;
+      for (const BoundaryCondition &condition : p.boundary)
+        if (const std::string what = tells(condition); !what.empty())
+          text += (text.empty() ? "" : ", ") + condition.name + " (" + face_names(p.geometry)[condition.face] + ") " + what;
+      return text;
+    }
+
+    std::string tie(const BoundaryCondition &condition)
+    {
+      if (condition.moves_as_one())
+        return std::string("moves as one") + (condition.held_across ? ", held across" : "");
+      return condition.type == BoundaryCondition::Type::symmetry ? "is a symmetry plane" : "";
+    }
+
+    std::string spring(const BoundaryCondition &condition)
+    {
+      if (condition.type == BoundaryCondition::Type::foundation)
+        return "stands on an elastic foundation";
+      if (condition.has_stop())
+        return "has a stop at " + scene::format_number(condition.stop_position) + " m";
+      return condition.type == BoundaryCondition::Type::tendon ? "is pulled by a tendon" : "";
+    }
+
+    /// Those of all ranks, each counted once: relations that only say that an unknown is zero are none between unknowns.
+    std::size_t count_relations(const Muscle3dDiscretisation &d)
+    {
+      const dealii::IndexSet &owned = d.space->owned_unknowns();
+      const std::size_t       own   = std::count_if(d.constraints.relations.begin(), d.constraints.relations.end(),
+                                                    [&](const Relation &r) { return !r.others.empty() && owned.is_element(r.unknown); });
+      return dealii::Utilities::MPI::sum(own, d.communicator);
+    }
+  } // namespace
+
   std::vector<std::string> Muscle3dSystem::plan() const
   {
     const Muscle3dParameters &p    = parameters_;
@@ -32,6 +74,11 @@ namespace myolines
     lines.push_back(line("tractions",
                          std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return !c.constrains() && !c.is_spring(); }),
                          "faces without a condition are free"));
+    const std::string ties = list_conditions(p, tie), springs = list_conditions(p, spring);
+    lines.push_back(line("ties", !ties.empty(),
+                         ties.empty() ? "no face is a symmetry plane or moves as one"
+                                      : ties + "; " + std::to_string(count_relations(*discretisation_)) + " relations between unknowns"));
+    lines.push_back(line("springs at faces", !springs.empty(), springs.empty() ? "no foundation, tendon or stop" : springs));
     lines.push_back(std::string("tangent: ") + (capabilities().symmetric_tangent ? "symmetric" : "exact, not symmetric") +
                     "; kernels: " + name(discretisation_->instruction_set) + ", " + std::to_string(n_lanes) + " cells at once");
     return lines;

@@ -72,7 +72,7 @@ namespace myolines
     for (unsigned int b = 0; b < batches.n_batches(); ++b)
       {
         const unsigned int id = batches.cell(b, 0)->material_id();
-        if (fields.table || (fields.within_muscle() && id == muscle_id))
+        if (fields.of_all_tissues() || (fields.within_muscle() && id == muscle_id))
           add_field(field, batches, element, b, gradients.get());
         else
           {
@@ -107,9 +107,9 @@ namespace myolines
             std::optional<std::array<double, 3>> along;
             if (gradients != nullptr)
               along = gradients->at(q);
-            const auto [m, distance] = field.at(x, cell->material_id(), along);
+            const auto [m, distance, problem] = field.at(x, cell->material_id(), along);
             if (problem_.empty())
-              problem_ = what_is_wrong(m, x);
+              problem_ = problem.empty() ? what_is_wrong(m, x) : problem + " at " + text_of(x);
             if (problem_.empty() && distance > cell->diameter())
               problem_ = "has no point within " + std::to_string(cell->diameter()) + " m of " + text_of(x);
             batch.muscle = batch.muscle || has_muscle(m);

@@ -16,7 +16,8 @@ namespace myolines
 
     const std::string              fibre = "muscle_fibre_orientation_";
     const std::vector<std::string> known{"qp_x",      "qp_y",      "qp_z",         "max_iso_stress_muscle", fibre + "x",
-                                         fibre + "y", fibre + "z", "fat_fraction", "activation_scale",      "tissue_id"};
+                                         fibre + "y", fibre + "z", "fat_fraction", "activation_scale",      "matrix_fraction",
+                                         "tissue_id"};
 
     void check_header(const scene::CsvTable &csv)
     {
@@ -43,7 +44,7 @@ namespace myolines
 
     std::filesystem::path     file;
     std::vector<Row>          rows;
-    bool                      has_fat;
+    bool                      has_fat, has_matrix;
     std::vector<unsigned int> tissues;
     Tree                      tree;
 
@@ -51,11 +52,13 @@ namespace myolines
       : file(csv.file)
       , rows(csv.rows.size())
       , has_fat(csv.column("fat_fraction").has_value())
+      , has_matrix(csv.column("matrix_fraction").has_value())
     {
       using scene::Range;
       fill(csv, "max_iso_stress_muscle", Range::not_negative(), [](Row &row, const double x) { row.stress = x; });
       fill(csv, "fat_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.fat = x; });
       fill(csv, "activation_scale", Range::not_negative(), [](Row &row, const double x) { row.activation_scale = x; });
+      fill(csv, "matrix_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.matrix = x; });
       fill(csv, "tissue_id", Range::closed(muscle_id, tendon_id), [](Row &row, const double x) { row.tissue = x; });
       if (csv.column(fibre + "x"))
         fill_directions(csv);
@@ -123,6 +126,8 @@ namespace myolines
   }
 
   bool PointProperties::has_fat() const { return table_->has_fat; }
+
+  bool PointProperties::has_matrix() const { return table_->has_matrix; }
 
   const std::vector<unsigned int> &PointProperties::tissues() const { return table_->tissues; }
 

@@ -62,11 +62,12 @@ namespace myolines
     const double            power = std::pow(p.J, -2. / 3), I1 = power * p.F.norm_square(), lam = p.isochoric_stretch;
     const Vector3           a0({p.material[0], p.material[1], p.material[2]});
     const Matrix3           G = lam * (outer_product(p.fibre, a0) / p.fibre.norm_square() - H / 3.), Q = 2 * power * p.F - 2. / 3 * I1 * H;
-    const double            fat = p.material[material_fat];
+    const double            fat      = p.material[material_fat];
+    const double            fat_base = fat == 0 ? 0. : fat * yeoh(tissue.fat.base.coefficients().data(), I1).first;
 
     Parts<Matrix3> parts;
     parts[volumetric_part]          = p.pressure * p.J * H;
-    parts[base_part(p.material_id)] = (1 - fat) * yeoh(tissue.base.coefficients().data(), I1).first * Q;
+    parts[base_part(p.material_id)] = (yeoh(p.material.data() + material_yeoh, I1).first - fat_base) * Q;
     parts[passive_fibre_part(p.material_id)] =
         fibre_stress(p.material.data(), {true, false, false, true, &activation, &model.curves}, lam, 0.).g * G;
     if (model.active)
@@ -74,7 +75,7 @@ namespace myolines
                              curves::active(lam, &model.curves).value *
                              (model.rate ? curves::force_velocity(p.isochoric_strain_rate, &model.curves).value : 1.) / lam * G;
     if (fat != 0)
-      parts[fat_part] = fat * yeoh(tissue.fat.base.coefficients().data(), I1).first * Q;
+      parts[fat_part] = fat_base * Q;
     return parts;
   }
 } // namespace myolines

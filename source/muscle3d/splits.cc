@@ -101,7 +101,9 @@ namespace myolines
       {
         for (auto &[id, tissue] : part.tissues)
           {
-            tissue.base.scale     = 0;
+            tissue.base.scale = 0;
+            if (tissue.matrix)
+              tissue.matrix->base.scale = 0;
             tissue.fat.base.scale = 0;
             tissue.fibre.sigma0   = 0;
           }

@@ -91,6 +91,8 @@ namespace myolines
   {
     if (given->type == BoundaryCondition::Type::tendon)
       return given->profile ? given->profile->value(t, side) : 0;
+    if (given->has_stop())
+      return given->stop_position;
     return given->load * given->factor(t, side);
   }
 
@@ -118,18 +120,14 @@ namespace myolines
     const Condition         &condition = conditions_[face.condition];
     const BoundaryCondition &given     = *condition.given;
     const FacePoint         &point     = face.points[q];
-    switch (given.type)
+    if (given.type == BoundaryCondition::Type::follower_pressure)
+      return -scale * point.weight * face.sign * cross_product_3d(x.x1, x.x2);
+    if (given.spring)
       {
-      case BoundaryCondition::Type::follower_pressure:
-        return -scale * point.weight * face.sign * cross_product_3d(x.x1, x.x2);
-      case BoundaryCondition::Type::tendon:
-        {
-          const Vector3 n = vector3(given.direction);
-          return given.spring->force(scale - n * x.u) / condition.area * point.area * n;
-        }
-      default:
-        return -point.area * (given.stiffness * x.u + given.normal_stiffness * (x.u * point.normal) * point.normal);
+        const Vector3 n = vector3(given.direction);
+        return given.spring->force(scale - n * x.u) / condition.area * point.area * n;
       }
+    return -point.area * (given.stiffness * x.u + given.normal_stiffness * (x.u * point.normal) * point.normal);
   }
 
   void SurfaceForces::add_tangent(const Face &face, const std::size_t q, const double scale, const Deformed &x,
@@ -153,7 +151,7 @@ namespace myolines
               by_x2[a][c] = second[a];
             }
         }
-    else if (given.type == BoundaryCondition::Type::tendon)
+    else if (given.spring)
       {
         const Vector3 n = vector3(given.direction);
         k               = given.spring->slope(scale - n * x.u) / condition.area * point.area * outer_product(n, n);
@@ -219,7 +217,7 @@ namespace myolines
     for_each_point(current.vector(), [&](const Face &face, const Condition &condition, const std::size_t q, const Deformed &x) {
       const BoundaryCondition &given = *condition.given;
       const FacePoint         &point = face.points[q];
-      if (given.type == BoundaryCondition::Type::tendon)
+      if (given.spring)
         sum += point.area / condition.area * given.spring->energy(condition.scale(t, Side::left) - vector3(given.direction) * x.u);
       else if (given.type == BoundaryCondition::Type::foundation)
         sum += point.area / 2 * (given.stiffness * x.u.norm_square() + given.normal_stiffness * std::pow(x.u * point.normal, 2));
@@ -233,12 +231,10 @@ namespace myolines
     double              sum = 0;
     for_each_point(current.vector(), [&](const Face &face, const Condition &condition, const std::size_t q, const Deformed &x) {
       const BoundaryCondition &given = *condition.given;
-      if (given.type == BoundaryCondition::Type::foundation)
-        return;
-      const Vector3 at = force(face, q, condition.scale(t, Side::left), x);
+      const Vector3            at    = force(face, q, condition.scale(t, Side::left), x);
       if (given.type == BoundaryCondition::Type::follower_pressure)
         sum += at * deformed(face, q, rate.vector()).u;
-      else if (given.profile)
+      else if (given.type == BoundaryCondition::Type::tendon && given.profile)
         sum += at * vector3(given.direction) * given.profile->first_derivative(t, Side::left);
     });
     return dealii::Utilities::MPI::sum(sum, d_.communicator);

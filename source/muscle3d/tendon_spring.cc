@@ -1,7 +1,9 @@
 #include <myolines/materials/curves.h>
+#include <myolines/materials/hill_curves.h>
 #include <myolines/muscle3d/tendon_spring.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace myolines
 {
@@ -54,9 +56,45 @@ namespace myolines
     private:
       const double force_, length_;
     };
+
+    class HillSpring : public TendonSpring
+    {
+    public:
+      HillSpring(const double force, const double length)
+        : force_(force)
+        , length_(length)
+      {}
+      double force(const double s) const override { return force_ * hill::tendon(1 + s / length_).value; }
+      double slope(const double s) const override { return force_ / length_ * hill::tendon(1 + s / length_).slope; }
+      double energy(const double s) const override { return force_ * length_ * hill::tendon_energy(1 + s / length_); }
+
+    private:
+      const double force_, length_;
+    };
+
+    class StopSpring : public TendonSpring
+    {
+    public:
+      explicit StopSpring(const double stiffness)
+        : stiffness_(stiffness)
+      {}
+      double force(const double s) const override { return stiffness_ * std::min(s, 0.); }
+      double slope(const double s) const override { return s <= 0 ? stiffness_ : 0; }
+      double energy(const double s) const override { return stiffness_ / 2 * std::pow(std::min(s, 0.), 2); }
+
+    private:
+      const double stiffness_;
+    };
   } // namespace
 
   std::unique_ptr<TendonSpring> make_linear_spring(const double stiffness) { return std::make_unique<LinearSpring>(stiffness); }
+
+  std::unique_ptr<TendonSpring> make_hill_spring(const double force, const double slack_length)
+  {
+    return std::make_unique<HillSpring>(force, slack_length);
+  }
+
+  std::unique_ptr<TendonSpring> make_stop_spring(const double stiffness) { return std::make_unique<StopSpring>(stiffness); }
 
   std::unique_ptr<TendonSpring> make_tendinous_spring(const double force, const double slack_length)
   {
@@ -68,16 +106,27 @@ namespace myolines
     using scene::Range;
     scene::Schema linear("Force proportional to the elongation, of both signs.");
     linear.number("stiffness", std::nullopt, "N/m", Range::positive(), "Force per elongation.");
-    scene::Schema tendinous("The curve of tendon and aponeurosis (thesis A.2.4) of the stretch, 0.01 of the force below at slack length.");
-    tendinous
-        .number("force", std::nullopt, "N", Range::positive(), "Force where the curve is 1: maximum isometric stress times cross-section.")
-        .number("slack length", std::nullopt, "m", Range::positive(), "Length of the tendon at elongation zero.");
-    return scene::Schema("Law of the tendon.").variant("type", "linear", {{"linear", linear}, {"tendinous", tendinous}}, "Kind of law.");
+    const auto stretched = [](scene::Schema schema) {
+      schema
+          .number("force", std::nullopt, "N", Range::positive(),
+                  "Force where the curve is 1: maximum isometric stress times cross-section.")
+          .number("slack length", std::nullopt, "m", Range::positive(), "Length of the tendon at elongation zero.");
+      return schema;
+    };
+    const scene::Schema tendinous = stretched(
+        scene::Schema("The curve of tendon and aponeurosis (thesis A.2.4) of the stretch, 0.01 of the force below at slack length."));
+    const scene::Schema hill =
+        stretched(scene::Schema("The curve of the tendon in one dimension (thesis, table A.4) of the stretch, that of the "
+                                "muscle-tendon unit: 1 at stretch 1.058, 0.0097 at slack length."));
+    return scene::Schema("Law of the tendon.")
+        .variant("type", "linear", {{"linear", linear}, {"tendinous", tendinous}, {"hill", hill}}, "Kind of law.");
   }
 
   std::unique_ptr<TendonSpring> read_tendon_spring(const scene::Node &node)
   {
-    return node.text("type") == "linear" ? make_linear_spring(node.number("stiffness"))
-                                         : make_tendinous_spring(node.number("force"), node.number("slack length"));
+    const std::string type = node.text("type");
+    if (type == "linear")
+      return make_linear_spring(node.number("stiffness"));
+    return (type == "hill" ? make_hill_spring : make_tendinous_spring)(node.number("force"), node.number("slack length"));
   }
 } // namespace myolines

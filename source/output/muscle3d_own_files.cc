@@ -127,10 +127,20 @@ namespace myolines
       if (condition.reacts())
         for (const char *axis : {" x [N]", " y [N]", " z [N]"})
           columns.push_back(condition.name + axis);
-    return make_series_file(folder, "reaction.csv", columns, [](const Muscle3dSample &sample) {
+    std::vector<std::string> stopped; // conditions with a stop, whose columns come last
+    for (const BoundaryCondition &condition : parameters.boundary)
+      if (condition.has_stop())
+        {
+          stopped.push_back(condition.name);
+          columns.push_back(condition.name + " stop [N]");
+        }
+    return make_series_file(folder, "reaction.csv", columns, [stopped](const Muscle3dSample &sample) {
       std::vector<double> row{sample.t()};
       for (const Reaction &reaction : sample.reactions())
         row.insert(row.end(), {reaction.force[0], reaction.force[1], reaction.force[2]});
+      for (const Reaction &reaction : sample.reactions())
+        if (std::find(stopped.begin(), stopped.end(), reaction.condition) != stopped.end())
+          row.push_back(reaction.stop);
       return row;
     });
   }

@@ -1,61 +1,15 @@
 // Boundary conditions in whole runs, against closed forms and against other ways to say the same.
-#include "simulation.h"
+#include "bar.h"
 
 #include <myolines/materials/curves.h>
-#include <myolines/muscle3d/measurements.h>
 #include <myolines/system/drive_types.h>
 
 namespace myolines
 {
   namespace
   {
-    using Condition = BoundaryCondition;
-    using Type      = Condition::Type;
-    using Vector3   = dealii::Tensor<1, 3>;
-
-    Condition condition(const Type type, const unsigned int face)
-    {
-      Condition c;
-      c.name       = "face " + std::to_string(face);
-      c.type       = type;
-      c.face       = face;
-      c.components = {{false, false, false}};
-      return c;
-    }
-
-    Condition load(const Type type, const unsigned int face, const double size)
-    {
-      Condition c = condition(type, face);
-      c.load      = size;
-      return c;
-    }
-
-    Condition held(const unsigned int face, const bool x = true, const bool y = true, const bool z = true)
-    {
-      Condition c  = condition(Type::fixed, face);
-      c.components = {{x, y, z}};
-      return c;
-    }
-
-    /// A passive isotropic bar of 3 x 1 x 1 cm on symmetry planes.
-    Muscle3dParameters bar(const std::vector<Condition> &more)
-    {
-      Muscle3dParameters p    = test::small_block(2, 3, 0);
-      p.geometry.cells        = {{2, 1, 1}};
-      p.dynamic               = false;
-      p.activation            = nullptr;
-      p.muscle().fibre.sigma0 = 0;
-      p.boundary              = {condition(Type::symmetry, 2), condition(Type::symmetry, 4)};
-      p.boundary.insert(p.boundary.end(), more.begin(), more.end());
-      return p;
-    }
-
-    Vector3 displacement(const test::Simulation &simulation, const dealii::Point<3> &x)
-    {
-      return MarkerProbe(simulation.system, {{"marker", x}}, "test").displacements(simulation.state)[0];
-    }
-
-    const dealii::Point<3> corner(0.03, 0.01, 0.01);
+    using namespace test;
+    using Vector3 = dealii::Tensor<1, 3>;
 
     TEST(FollowerPressure, CompressesEvenlyAsInClosedForm)
     {
@@ -180,16 +134,31 @@ namespace myolines
 
     TEST(TendonSpring, LawsAreConsistent)
     {
-      const auto tendon = make_tendinous_spring(40, 0.1);
+      const auto tendon = make_tendinous_spring(40, 0.1), hill = make_hill_spring(40, 0.1);
       EXPECT_DOUBLE_EQ(tendon->force(0), 0.4);
       EXPECT_DOUBLE_EQ(tendon->force(0.012), 40 * curves::tendon(1.12).value);
-      EXPECT_EQ(tendon->energy(0), 0);
-      for (const double s : {-0.01, 0.0005, 0.0015, 0.01, 0.02})
+      for (const TendonSpring *law : {tendon.get(), hill.get()})
         {
-          const double h = 1e-7;
-          EXPECT_NEAR((tendon->energy(s + h) - tendon->energy(s - h)) / (2 * h), tendon->force(s), 1e-6 * (1 + tendon->force(s)));
-          EXPECT_NEAR((tendon->force(s + h) - tendon->force(s - h)) / (2 * h), tendon->slope(s), 1e-6 * (1 + tendon->slope(s)));
+          EXPECT_EQ(law->energy(0), 0);
+          for (const double s : {-0.01, 0.0005, 0.0007, 0.0015, 0.004, 0.01, 0.02})
+            {
+              const double h = 1e-7;
+              EXPECT_NEAR((law->energy(s + h) - law->energy(s - h)) / (2 * h), law->force(s), 1e-6 * (1 + law->force(s)));
+              EXPECT_NEAR((law->force(s + h) - law->force(s - h)) / (2 * h), law->slope(s), 1e-6 * (1 + law->slope(s)));
+            }
         }
+    }
+
+    /// Strain of the tendon and its force over F_0 in the muscle-tendon unit, rows of tests/data/muscle_tendon_units.csv, an independent
+    /// program.
+    TEST(TendonSpring, HillsLawIsThatOfTheMuscleTendonUnit)
+    {
+      const double                    force = 1870, length = 0.123;
+      const auto                      hill   = make_hill_spring(force, length);
+      const std::pair<double, double> rows[] = {{-0.004477207, 0.009673495}, {0.010064101, 0.062529079}, {0.013552733, 0.113275842},
+                                                {0.019025027, 0.207205710},  {0.022459579, 0.270687817}, {0.033727983, 0.490746101}};
+      for (const auto &[strain, expected] : rows)
+        EXPECT_NEAR(hill->force(strain * length), expected * force, 2e-8 * force);
     }
 
     dealii::Tensor<2, 3> rotation()

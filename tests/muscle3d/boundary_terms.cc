@@ -40,6 +40,8 @@ namespace myolines
       isotonic.direction          = {{0.6, 0.8, 0}};
       isotonic.load               = -3;
       isotonic.held_across        = true;
+      isotonic.spring             = make_stop_spring(1e6);
+      isotonic.stop_position      = 2e-4; // touched by a part of the points of this state
       return {follower, foundation, tendon, isotonic};
     }
 

@@ -48,13 +48,22 @@ namespace myolines
     YeohParameters base{1, {323.91, 5163.1, -3872.9}};
   };
 
+  /// Extracellular matrix among the cells, thesis (5.2.12) and (5.2.19): the cells weigh 1 - fraction.
+  struct MatrixParameters
+  {
+    double         fraction     = 0.05; ///< chi_ecm, in [0, 1]
+    double         bulk_modulus = 1e7;  ///< [Pa]
+    YeohParameters base{1, {0, 0, 0}};
+  };
+
   struct TissueParameters
   {
-    double          density      = 1060; ///< rho0 [kg/m^3]
-    double          bulk_modulus = 1e7;  ///< kappa [Pa]
-    FibreParameters fibre;
-    YeohParameters  base;
-    FatParameters   fat;
+    double                          density      = 1060; ///< rho0 [kg/m^3]
+    double                          bulk_modulus = 1e7;  ///< kappa [Pa]; of the cells where there is a matrix
+    FibreParameters                 fibre;
+    YeohParameters                  base;   ///< likewise
+    std::optional<MatrixParameters> matrix; ///< none: one base material
+    FatParameters                   fat;
   };
 
   /// A tissue that scenes can name.
@@ -71,7 +80,8 @@ namespace myolines
 
   using Material = std::array<double, n_material_values>;
 
-  /// The tissue as a material: fibre parts times 1 - f, base (1 - f) base + f fat and likewise the bulk modulus, (5.2.3) and (5.2.23).
+  /// The tissue as a material: fibre parts times 1 - f, base (1 - f) (chi matrix + (1 - chi) base) + f fat and likewise the bulk modulus,
+  /// (5.2.3), (5.2.12), (5.2.19) and (5.2.23).
   Material material(const TissueParameters &tissue);
 
   /// Declaration of the list of a tissue in a scene, and its reading. Directions are the caller's.

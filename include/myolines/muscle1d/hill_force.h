@@ -1,6 +1,6 @@
 #pragma once
 
-#include <myolines/muscle1d/hill_curves.h>
+#include <myolines/materials/hill_curves.h>
 #include <myolines/scene/scene.h>
 
 namespace myolines

@@ -18,7 +18,8 @@ namespace myolines
 {
   /// Properties at points of the body, read from a CSV file as the complete Flexodeal writes and reads them. Columns by name, in
   /// any order: qp_x, qp_y, qp_z [m], and any of max_iso_stress_muscle [Pa], muscle_fibre_orientation_x, _y, _z, fat_fraction,
-  /// activation_scale, tissue_id (1 muscle, 2 aponeurosis, 3 tendon). Each place of the body takes the nearest row.
+  /// activation_scale, matrix_fraction (a column of our own), tissue_id (1 muscle, 2 aponeurosis, 3 tendon). Each place of the body takes
+  /// the nearest row.
   class PointProperties
   {
   public:
@@ -29,13 +30,14 @@ namespace myolines
     /// What the file knows of a place; nothing where it has no such column.
     struct Row
     {
-      std::optional<double>                stress, fat, activation_scale;
+      std::optional<double>                stress, fat, activation_scale, matrix;
       std::optional<std::array<double, 3>> direction; ///< unit
       std::optional<unsigned int>          tissue;    ///< material id
     };
     /// The row nearest to @p x, and its distance [m].
     std::pair<const Row &, double> nearest(const dealii::Point<3> &x) const;
     bool                           has_fat() const;
+    bool                           has_matrix() const; ///< whether it has fractions of extracellular matrix
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;
     const std::filesystem::path     &file() const;
@@ -51,12 +53,14 @@ namespace myolines
     unsigned int from, to; ///< boundary ids
   };
 
-  /// What varies within the body: formulas of x, y, z for muscle, and a table for all tissues, which comes last.
+  /// What varies within the body: formulas of x, y, z, of the tissue and then for muscle, and a table for all tissues, which comes last.
   struct BodyFields
   {
     std::string                            stress;           ///< maximum isometric stress [Pa]; "": that of the tissue
     std::string                            fat;              ///< fat fraction; likewise
     std::string                            activation_scale; ///< factor of the activation; "": 1
+    std::string                            matrix;           ///< fraction of extracellular matrix; "": that of the tissue
+    std::string                            tissue;           ///< material id of the tissue; "": that of the cell
     std::array<std::string, 3>             direction;        ///< fibre direction, to be normalised; "": that of the tissue
     std::vector<std::string>               regions; ///< of activation: places where the formula is positive; later ones cover earlier
     std::optional<FibresBetweenFaces>      laplace;
@@ -64,12 +68,16 @@ namespace myolines
 
     bool formulas() const
     {
-      return !stress.empty() || !fat.empty() || !activation_scale.empty() || !direction[0].empty() || !regions.empty();
+      return !stress.empty() || !fat.empty() || !activation_scale.empty() || !matrix.empty() || !tissue.empty() || !direction[0].empty() ||
+             !regions.empty();
     }
     /// Whether the muscle differs from place to place, table aside.
     bool within_muscle() const { return formulas() || laplace; }
+    /// Whether any tissue may differ from place to place.
+    bool of_all_tissues() const { return table || !tissue.empty(); }
     bool any() const { return within_muscle() || table; }
     bool has_fat() const { return !fat.empty() || (table && table->has_fat()); }
+    bool has_matrix() const { return !matrix.empty() || (table && table->has_matrix()); }
   };
 
   /// Declaration of the list `fields`, and its reading (without directions).
@@ -84,17 +92,18 @@ namespace myolines
 
     struct AtPoint
     {
-      Material material;
-      double   distance; ///< to the row of the table [m]; 0 without one
+      Material    material;
+      double      distance; ///< to the row of the table [m]; 0 without one
+      std::string problem;  ///< what the fields get wrong there, where the material does not tell; else empty
     };
     /// @p along: direction of the muscle fibres that the potential gives, any length.
     AtPoint at(const dealii::Point<3> &x, unsigned int material_id, const std::optional<std::array<double, 3>> &along) const;
 
   private:
-    struct MuscleFormulas;
+    struct Formulas;
 
     const BodyFields                               &fields_;
     const std::map<unsigned int, TissueParameters> &tissues_;
-    std::shared_ptr<const MuscleFormulas>           formulas_; ///< none if there are none
+    std::shared_ptr<const Formulas>                 formulas_; ///< none if there are none
   };
 } // namespace myolines

@@ -27,7 +27,7 @@ namespace myolines
       follower_pressure, ///< pressure p(t) on the deformed face, force -p J F^-T N per reference area
       foundation,        ///< springs per reference area, force -k u - k_n (u.N) N
       symmetry,          ///< u.N = 0 on a plane face
-      isotonic,          ///< u.n = q on the whole face, q being moved by a given force F(t) along n
+      isotonic,          ///< u.n = q on the whole face, moved by a given force F(t) along n, and by a stop
       tendon,            ///< u.n = q, the force being that of a spring whose far end moves by d(t) along n
     };
     std::string                         name;
@@ -43,7 +43,8 @@ namespace myolines
     std::shared_ptr<const Drive>        profile; ///< factor of the load, nullptr: 1; type tendon: motion of the far end [m], nullptr: none
     double                              stiffness = 0, normal_stiffness = 0; ///< k, k_n of a foundation [Pa/m]
     bool                                held_across = false;                 ///< types isotonic and tendon: the face does not move across n
-    std::shared_ptr<const TendonSpring> spring;                              ///< type tendon
+    std::shared_ptr<const TendonSpring> spring;            ///< type tendon; type isotonic: that of its stop, nullptr: none
+    double                              stop_position = 0; ///< u.n where the face touches its stop [m]
     std::array<double, 3>               low{{-infinity, -infinity, -infinity}},
         high{{infinity, infinity, infinity}}; ///< box that a load is confined to [m]
     std::string scene_path;                   ///< for messages
@@ -57,7 +58,8 @@ namespace myolines
     bool reacts() const { return constrains() || type == Type::foundation; }
     /// Whether component @p c may move where the motion is prescribed.
     bool may_move(unsigned int c) const;
-    bool is_spring() const { return type == Type::foundation || type == Type::tendon; }
+    bool has_stop() const { return type == Type::isotonic && spring; }
+    bool is_spring() const { return type == Type::foundation || spring; }
     /// Factor of the load at an instant.
     double factor(const double t, const Side side) const { return profile ? profile->value(t, side) : 1.; }
     /// The drive behind it, or nullptr.

@@ -74,7 +74,7 @@ namespace myolines
     double        stored_volumetric = 0; ///< int Psi_vol(D_h) [J]
     double        stored_base       = 0; ///< int Yeoh energies, fat included [J]
     double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam, of the muscle [J]
-    double        stored_springs    = 0; ///< in elastic foundations and tendons at faces [J]
+    double        stored_springs    = 0; ///< in elastic foundations, tendons and stops at faces [J]
     double        stored_tendinous  = 0; ///< int sigma0 int sT/lam dlam from rest, of aponeurosis and tendon [J]
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
@@ -103,13 +103,15 @@ namespace myolines
   Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);
 
   /// Force with which each boundary condition that prescribes or ties motion pulls on the muscle: the residual summed over its
-  /// components [N], in the order of the scene. An unknown on a shared edge belongs to the later condition. Isotonic loads and
-  /// tendons add the force with which they pull; that of a foundation is that of its springs, which do no work of their own.
+  /// components [N], in the order of the scene. An unknown on a shared edge belongs to the later condition. Isotonic loads,
+  /// their stops and tendons add the force with which they pull; that of a foundation is that of its springs, which do no work of their
+  /// own.
   struct Reaction
   {
     std::string          condition;
     dealii::Tensor<1, 3> force;
     double               power = 0; ///< its work rate, force times prescribed velocity [W]
+    double               stop  = 0; ///< part of the force along n that the stop of an isotonic face pushes with [N]
   };
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state);
 

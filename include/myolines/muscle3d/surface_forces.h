@@ -10,8 +10,8 @@
 
 namespace myolines
 {
-  /// Forces on faces that depend on the displacement: pressures on the face as it moves, elastic foundations, and the tendon of a face
-  /// that moves as one. That tendon acts as a traction F(d - u.n) n / A at every point, which is the same where u.n is.
+  /// Forces on faces that depend on the displacement: pressures on the face as it moves, elastic foundations, and the tendon or the stop
+  /// of a face that moves as one. These act as a traction F(d - u.n) n / A at every point, which is the same where u.n is.
   class SurfaceForces
   {
   public:
@@ -35,7 +35,7 @@ namespace myolines
     std::vector<Tangent> tangents(double t, Side side, const Vector &u, bool symmetrised) const;
 
     // Of all ranks.
-    double               energy(double t, const Vector &u) const;                 ///< stored in foundations and tendons [J]
+    double               energy(double t, const Vector &u) const;                 ///< stored in foundations, tendons, stops [J]
     double               power(double t, const Vector &u, const Vector &v) const; ///< of pressures and of far ends of tendons [W]
     dealii::Tensor<1, 3> force(double t, const Vector &u, const BoundaryCondition &condition) const; ///< sum over the face [N]
 
@@ -60,7 +60,7 @@ namespace myolines
     {
       const BoundaryCondition *given;
       double                   area = 0;                         ///< of the whole face [m^2]
-      double                   scale(double t, Side side) const; ///< pressure [Pa] or motion of the far end [m]
+      double                   scale(double t, Side side) const; ///< pressure [Pa], motion of the far end or place of the stop [m]
     };
     /// Displacement at a point, and tangents of the deformed face.
     struct Deformed

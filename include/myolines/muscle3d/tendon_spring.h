@@ -6,7 +6,7 @@
 
 namespace myolines
 {
-  /// Force [N] of an elastic tendon in one dimension against its elongation s [m].
+  /// Force [N] of an elastic tendon, or of a stop, in one dimension against its elongation s [m].
   class TendonSpring
   {
   public:
@@ -22,6 +22,12 @@ namespace myolines
 
   /// F0 sT(1 + s/L) with the curve of tendon and aponeurosis (A.2.4): F0 sT(1) = 0.01 F0 at slack length L.
   std::unique_ptr<TendonSpring> make_tendinous_spring(double force, double slack_length);
+
+  /// F0 F_T(1 + s/L) with the curve of table A.4, that of the one-dimensional muscle-tendon unit: 0.0097 F0 at slack length L.
+  std::unique_ptr<TendonSpring> make_hill_spring(double force, double slack_length);
+
+  /// A stop: k s where s < 0, and no force elsewhere. The slope at s = 0 is that of the stop.
+  std::unique_ptr<TendonSpring> make_stop_spring(double stiffness);
 
   /// Declaration of the list `spring`, and its reading.
   scene::Schema                 tendon_spring_schema();

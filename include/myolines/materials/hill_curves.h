@@ -26,4 +26,7 @@ namespace myolines::hill
   /// F_T, tendon force against stretch [-], table A.4: 0 below 0, its last, linear piece above 1.058. A slack tendon carries up to
   /// 0.0097 (errata 31).
   Curve tendon(double stretch);
+
+  /// Integral of F_T from stretch 1 [-].
+  double tendon_energy(double stretch);
 } // namespace myolines::hill

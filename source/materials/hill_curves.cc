@@ -1,4 +1,4 @@
-#include <myolines/muscle1d/hill_curves.h>
+#include <myolines/materials/hill_curves.h>
 
 #include <algorithm>
 #include <iterator>
@@ -88,4 +88,18 @@ namespace myolines::hill
   }
 
   Curve tendon(const double stretch) { return evaluate(tendon_pieces, stretch); }
+
+  double tendon_energy(const double stretch)
+  {
+    const auto from_zero = [](const double x) {
+      double sum = 0;
+      for (auto p = std::begin(tendon_pieces); p != std::end(tendon_pieces) && p->begin < x; ++p)
+        {
+          const double s = (std::next(p) == std::end(tendon_pieces) ? x : std::min(x, std::next(p)->begin)) - p->begin;
+          sum += (((p->c3 / 4 * s + p->c2 / 3) * s + p->c1 / 2) * s + p->c0) * s;
+        }
+      return sum;
+    };
+    return from_zero(stretch) - from_zero(1);
+  }
 } // namespace myolines::hill
