@@ -1,28 +1,18 @@
 #include <myolines/base/error.h>
 #include <myolines/cli/catalogue.h>
-#include <myolines/cli/point.h>
+#include <myolines/muscle1d/isometric_chain.h>
+#include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/muscle3d/parameters.h>
-#include <myolines/output/csv_file.h>
-#include <myolines/study/picture.h>
 
-#include <cmath>
+#include "point_sheets.h"
+
 #include <iomanip>
+#include <optional>
 
 namespace myolines
 {
   namespace
   {
-    std::vector<double> spaced(const std::vector<double> &range, const std::string &option, const double least)
-    {
-      const double n = range.at(2);
-      if (!(range[0] < range[1]) || !(range[0] > least) || n < 2 || n != std::floor(n) || n > 1e6)
-        throw InputError(InputProblem{option, "no range", "FROM TO POINTS with FROM < TO and 2 to 1000000 points", ""});
-      std::vector<double> x;
-      for (unsigned int i = 0; i < n; ++i)
-        x.push_back(range[0] + (range[1] - range[0]) * i / (n - 1));
-      return x;
-    }
-
     /// The laws of one tissue.
     class TissueLaw
     {
@@ -52,54 +42,6 @@ namespace myolines
       const Material             material_;
       const curves::FibreCurves &curves_;
       const bool                 muscle_, rate_;
-    };
-
-    std::string percent(const double activation)
-    {
-      std::ostringstream text;
-      text << "activation " << 100 * activation << " %";
-      return text.str();
-    }
-
-    /// A table and the picture of its columns over the first one.
-    class Sheet
-    {
-    public:
-      Sheet(const std::filesystem::path &folder, const std::string &name, const std::string &title, const std::string &abscissa,
-            const std::vector<std::string> &columns)
-        : csv_({folder}, name + ".csv", headers(abscissa, columns))
-      {
-        picture_.name    = name;
-        picture_.title   = title;
-        picture_.x_label = abscissa;
-        picture_.y_label = "stress [Pa]";
-        picture_.marks   = false;
-        for (const std::string &column : columns)
-          picture_.curves.push_back({column, {}});
-      }
-
-      void row(const double x, const std::vector<double> &stress)
-      {
-        std::vector<double> all{x};
-        all.insert(all.end(), stress.begin(), stress.end());
-        csv_.row(all);
-        for (std::size_t i = 0; i < stress.size(); ++i)
-          picture_.curves[i].points.emplace_back(x, stress[i]);
-      }
-
-      const study::Picture &picture() const { return picture_; }
-
-    private:
-      static std::vector<std::string> headers(const std::string &abscissa, const std::vector<std::string> &columns)
-      {
-        std::vector<std::string> all{abscissa};
-        for (const std::string &column : columns)
-          all.push_back(column + " [Pa]");
-        return all;
-      }
-
-      CsvFile        csv_;
-      study::Picture picture_;
     };
 
     /// All sheets of one tissue.
@@ -133,7 +75,7 @@ namespace myolines
           return {"fibre"};
         std::vector<std::string> texts;
         for (const double a : activations_)
-          texts.push_back(percent(a));
+          texts.push_back(label_of_activation(a));
         return texts;
       }
 
@@ -147,7 +89,8 @@ namespace myolines
 
       study::Picture stretch_sheet() const
       {
-        Sheet sheet(folder_, name_ + "_stretch", "Fibre stress of " + name_ + " at rest", "stretch [-]", labels());
+        PointSheet sheet({folder_, name_ + "_stretch", "Fibre stress of " + name_ + " at rest", "stretch [-]", "stress [Pa]", " [Pa]"},
+                         labels());
         for (const double s : stretches_)
           sheet.row(s, at_all_activations(s, 0));
         return sheet.picture();
@@ -155,7 +98,9 @@ namespace myolines
 
       study::Picture rate_sheet() const
       {
-        Sheet sheet(folder_, name_ + "_strain_rate", "Fibre stress of " + name_ + " at stretch 1", "strain rate [-]", labels());
+        PointSheet sheet(
+            {folder_, name_ + "_strain_rate", "Fibre stress of " + name_ + " at stretch 1", "strain rate [-]", "stress [Pa]", " [Pa]"},
+            labels());
         for (const double e : rates_)
           sheet.row(e, at_all_activations(1, e));
         return sheet.picture();
@@ -163,7 +108,8 @@ namespace myolines
 
       study::Picture base_sheet() const
       {
-        Sheet sheet(folder_, name_ + "_base", "Base material of " + name_ + ", uniaxial", "stretch [-]", {"base material"});
+        PointSheet sheet({folder_, name_ + "_base", "Base material of " + name_ + ", uniaxial", "stretch [-]", "stress [Pa]", " [Pa]"},
+                         {"base material"});
         for (const double s : stretches_)
           sheet.row(s, {law_.base(s)});
         return sheet.picture();
@@ -218,6 +164,31 @@ namespace myolines
               << 1e-3 * law.fibre(s, 0, a) << std::setw(18) << 1e-3 * law.base(s) << "\n";
         }
     }
+    std::vector<study::Picture> tissue_sheets(const Muscle3dParameters &parameters, const PointOptions &options, std::ostream &out)
+    {
+      const curves::FibreCurves   curves = parameters.fibre_curves();
+      std::vector<study::Picture> pictures;
+      for (const TissueKind &kind : tissue_kinds())
+        if (const auto tissue = parameters.tissues.find(kind.id); tissue != parameters.tissues.end())
+          {
+            const TissueLaw law(tissue->second, curves);
+            for (study::Picture &picture : TissueSheets(kind.name, law, options).write())
+              pictures.push_back(std::move(picture));
+            print(kind.name, law, out);
+          }
+      return pictures;
+    }
+
+    std::optional<HillForce> hill_force(const scene::Node &system)
+    {
+      if (system.text("type") == "muscle-tendon unit")
+        return read_muscle_tendon_unit(system).force;
+      if (system.text("type") == "continuum muscle")
+        return read_continuum_muscle(system).force;
+      if (system.text("type") == "isometric chain")
+        return read_isometric_chain(system).force;
+      return std::nullopt;
+    }
   } // namespace
 
   void point_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, PointOptions options, std::ostream &out)
@@ -229,20 +200,14 @@ namespace myolines
         throw InputError(InputProblem{"--activation", std::to_string(a), "numbers in [0, 1]", ""});
     const scene::Node  whole  = read_whole_scene(scene, overrides);
     const scene::Node &system = whole.section("system");
-    if (system.text("type") != "muscle 3d")
-      system.refuse("type", "\"" + system.text("type") + "\" has no tissues", "\"muscle 3d\"");
-    const Muscle3dParameters  parameters = read_muscle3d(system);
-    const curves::FibreCurves curves     = parameters.fibre_curves();
     std::filesystem::create_directories(options.folder / "pictures");
     std::vector<study::Picture> pictures;
-    for (const TissueKind &kind : tissue_kinds())
-      if (const auto tissue = parameters.tissues.find(kind.id); tissue != parameters.tissues.end())
-        {
-          const TissueLaw law(tissue->second, curves);
-          for (study::Picture &picture : TissueSheets(kind.name, law, options).write())
-            pictures.push_back(std::move(picture));
-          print(kind.name, law, out);
-        }
+    if (system.text("type") == "muscle 3d")
+      pictures = tissue_sheets(read_muscle3d(system), options, out);
+    else if (const std::optional<HillForce> force = hill_force(system))
+      pictures = hill_sheets(*force, options, out);
+    else
+      system.refuse("type", "\"" + system.text("type") + "\" has no muscle", "a muscle, in one or three dimensions");
     const std::size_t drawn = study::draw(pictures, options.folder / "pictures");
     out << "Tables and " << drawn << " pictures are in " << options.folder.string() << std::endl;
   }

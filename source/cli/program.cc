@@ -113,9 +113,9 @@ namespace myolines
 
       void add_point()
       {
-        CLI::App *command = add(app, "point", "Stress against stretch and rate of every tissue of a scene",
+        CLI::App *command = add(app, "point", "Stress, or force, of a muscle against stretch and rate",
                                 [this] { point_command(run.scene, run.overrides, point_, out_); });
-        command->add_option("scene", run.scene, "A scene of the system \"muscle 3d\"")->required()->type_name("SCENE.xml");
+        command->add_option("scene", run.scene, "A scene of a muscle, in one or three dimensions")->required()->type_name("SCENE.xml");
         command->add_option("--out", point_.folder, "Where to write tables and pictures; default: results/ and \"SCENE point\"")
             ->type_name("DIR");
         command->add_option("--stretch", point_.stretch, "Stretches")->expected(3)->capture_default_str()->type_name("FROM TO POINTS");

@@ -6,7 +6,7 @@
 namespace myolines
 {
   Muscle1dSystem::Element::Element(const unsigned int degree, const double length, const unsigned int n_points, const double density,
-                                   const bool lumped)
+                                   const double consistent_part)
     : n(degree + 1)
     , h(length)
   {
@@ -22,10 +22,13 @@ namespace myolines
     if (density == 0)
       return;
     mass.assign(n, std::vector<double>(n, 0.));
-    const dealii::Quadrature<1> rule = lumped ? dealii::Quadrature<1>(dealii::QGaussLobatto<1>(n)) : dealii::QGauss<1>(n);
-    for (unsigned int q = 0; q < n; ++q)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          mass[i][j] += density * h * rule.weight(q) * shapes[i].value(rule.point(q)[0]) * shapes[j].value(rule.point(q)[0]);
+    const auto add_mass = [&](const dealii::Quadrature<1> &rule, const double part) {
+      for (unsigned int q = 0; q < n; ++q)
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int j = 0; j < n; ++j)
+            mass[i][j] += part * density * h * rule.weight(q) * shapes[i].value(rule.point(q)[0]) * shapes[j].value(rule.point(q)[0]);
+    };
+    add_mass(dealii::QGaussLobatto<1>(n), 1 - consistent_part);
+    add_mass(dealii::QGauss<1>(n), consistent_part);
   }
 } // namespace myolines

@@ -13,8 +13,9 @@ namespace myolines
       std::vector<double> slope;  ///< of the polynomials [1/m]
     };
 
-    /// @p n_points Gauss points; @p density [kg/m], 0: no mass; @p lumped: the mass is integrated on the nodes, hence diagonal.
-    Element(unsigned int degree, double h, unsigned int n_points, double density, bool lumped);
+    /// @p n_points Gauss points; @p density [kg/m], 0: no mass; @p consistent_part of the mass is integrated exactly, the rest on the nodes
+    /// and hence diagonal.
+    Element(unsigned int degree, double h, unsigned int n_points, double density, double consistent_part);
 
     static double sum(const GaussPoint &q, const double *values)
     {

@@ -20,6 +20,11 @@ namespace myolines
     add("length of the muscle at the start", p.initial_stretch * p.optimal_length, "m");
     add("maximum isometric force F_0", p.maximum_force, "N");
     add("mass of the muscle", p.mass, "kg");
+    if (p.grading != 1)
+      {
+        add("length of the first element", lengths_.front() * element_->h, "m");
+        add("length of the last element", lengths_.back() * element_->h, "m");
+      }
     // rho l^2 e_0^2/sigma_0 = m l e_0^2/F_0
     add("musculoskeletal Reynolds number",
         p.mass * p.optimal_length * p.force.maximum_strain_rate * p.force.maximum_strain_rate / p.maximum_force, "");
@@ -42,8 +47,8 @@ namespace myolines
   {
     std::vector<double> stretches, nodes;
     scatter(u, nodes);
-    for (unsigned int begin = 0; begin + 1 < n_nodes(); begin += parameters_.degree)
-      stretches.push_back(parameters_.initial_stretch + (nodes[begin + parameters_.degree] - nodes[begin]) / element_->h);
+    for (unsigned int e = 0, begin = 0; e < parameters_.n_elements; ++e, begin += parameters_.degree)
+      stretches.push_back(parameters_.initial_stretch + (nodes[begin + parameters_.degree] - nodes[begin]) / (lengths_[e] * element_->h));
     return stretches;
   }
 
@@ -61,8 +66,8 @@ namespace myolines
     const Element::GaussPoint &q = element_->points.front();
     for (unsigned int e = 0, begin = 0; e < parameters_.n_elements; ++e, begin += parameters_.degree)
       forces.push_back(parameters_
-                           .force(parameters_.initial_stretch + Element::sum(q, &displacements[begin]), Element::sum(q, &velocities[begin]),
-                                  element_activation(e, t, u))
+                           .force(parameters_.initial_stretch + Element::sum(q, &displacements[begin]) / lengths_[e],
+                                  Element::sum(q, &velocities[begin]) / lengths_[e], element_activation(e, t, u))
                            .force);
     return forces;
   }

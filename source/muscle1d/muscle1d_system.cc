@@ -3,6 +3,8 @@
 #include <myolines/system/band_linearisation.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace myolines
@@ -11,9 +13,23 @@ namespace myolines
   {
     unsigned int n_free_nodes(const Muscle1dParameters &p) { return p.n_elements * p.degree - (p.tendon ? 0 : 1); }
 
-    bool is_continuum(const Muscle1dParameters &p) { return p.mass_of == MassOf::lumped || p.mass_of == MassOf::consistent; }
+    bool is_continuum(const Muscle1dParameters &p) { return p.mass_of != MassOf::none && p.mass_of != MassOf::points; }
+
+    double consistent_part(const MassOf mass_of) { return mass_of == MassOf::consistent ? 1 : mass_of == MassOf::blended ? 1. / 3 : 0; }
 
     unsigned int n_unknowns_of(const Muscle1dParameters &p) { return n_free_nodes(p) + (p.activation == nullptr ? p.n_elements : 0); }
+
+    /// A geometric series whose last term is @p grading times the first, of mean 1.
+    std::vector<double> graded_lengths(const unsigned int n, const double grading)
+    {
+      std::vector<double> lengths(n, 1.);
+      for (unsigned int e = 1; e < n; ++e)
+        lengths[e] = std::pow(grading, e / (n - 1.));
+      const double sum = std::accumulate(lengths.begin(), lengths.end(), 0.);
+      for (double &length : lengths)
+        length *= n / sum;
+      return lengths;
+    }
   } // namespace
 
   Muscle1dSystem::Muscle1dSystem(Muscle1dParameters parameters, WorkLedger &ledger)
@@ -22,7 +38,8 @@ namespace myolines
     , element_(std::make_unique<Element>(parameters_.degree, parameters_.optimal_length / parameters_.n_elements,
                                          is_continuum(parameters_) ? parameters_.degree + 1 : parameters_.degree,
                                          is_continuum(parameters_) ? parameters_.mass / parameters_.optimal_length : 0,
-                                         parameters_.mass_of == MassOf::lumped))
+                                         consistent_part(parameters_.mass_of)))
+    , lengths_(graded_lengths(parameters_.n_elements, parameters_.grading))
     , point_mass_(parameters_.mass_of == MassOf::points ? parameters_.mass / n_free_nodes(parameters_) : 0)
     , layout_(dealii::complete_index_set(n_unknowns_of(parameters_)), MPI_COMM_SELF)
   {
@@ -102,10 +119,10 @@ namespace myolines
         const double activation = solves_activation() ? element_activation(e, point.t, point.u) : given;
         for (const Element::GaussPoint &q : element_->points)
           {
-            const double stretch = p.initial_stretch + Element::sum(q, &u[begin]);
+            const double stretch = p.initial_stretch + Element::sum(q, &u[begin]) / lengths_[e];
             if (!(stretch > 0) || !std::isfinite(stretch))
               return refused("the stretch of the muscle is not positive somewhere");
-            const double f = q.weight * p.force(stretch, Element::sum(q, &v[begin]), activation).force;
+            const double f = q.weight * p.force(stretch, Element::sum(q, &v[begin]) / lengths_[e], activation).force;
             for (unsigned int i = 0; i < element_->n; ++i)
               force[begin + i] += f * q.slope[i];
           }
@@ -140,7 +157,7 @@ namespace myolines
       for (unsigned int begin = 0; begin + 1 < n_nodes(); begin += parameters_.degree)
         for (unsigned int i = 0; i < element_->n; ++i)
           for (unsigned int j = 0; j < element_->n; ++j)
-            force[begin + i] += element_->mass[i][j] * a[begin + j];
+            force[begin + i] += lengths_[begin / parameters_.degree] * element_->mass[i][j] * a[begin + j];
   }
 
   hill::Curve Muscle1dSystem::tendon(const double t, const Side side, const double end) const
@@ -176,8 +193,9 @@ namespace myolines
         const unsigned int own = of_activation(e), begin = e * p.degree;
         for (const Element::GaussPoint &q : element_->points)
           {
-            const HillForce::Value f    = p.force(p.initial_stretch + Element::sum(q, &u[begin]), Element::sum(q, &v[begin]), activation);
-            const double           unit = p.maximum_force * q.weight;
+            const HillForce::Value f =
+                p.force(p.initial_stretch + Element::sum(q, &u[begin]) / lengths_[e], Element::sum(q, &v[begin]) / lengths_[e], activation);
+            const double unit = p.maximum_force * q.weight, per_length = unit / lengths_[e];
             for (unsigned int i = 0; i < element_->n; ++i)
               {
                 if (!is_free(begin + i))
@@ -187,8 +205,8 @@ namespace myolines
                   if (is_free(begin + j))
                     {
                       const unsigned int column = of_node(begin + j);
-                      bands.stiffness(row, column) += unit * f.by_stretch * q.slope[i] * q.slope[j];
-                      bands.damping(row, column) += unit * f.by_rate * q.slope[i] * q.slope[j];
+                      bands.stiffness(row, column) += per_length * f.by_stretch * q.slope[i] * q.slope[j];
+                      bands.damping(row, column) += per_length * f.by_rate * q.slope[i] * q.slope[j];
                     }
                 if (solves_activation())
                   bands.stiffness(row, own) += unit * f.by_activation * q.slope[i] / p.optimal_length;
@@ -220,7 +238,7 @@ namespace myolines
         for (unsigned int i = 0; i < element_->n; ++i)
           for (unsigned int j = 0; j < element_->n; ++j)
             if (is_free(begin + i) && is_free(begin + j))
-              bands.mass(of_node(begin + i), of_node(begin + j)) += element_->mass[i][j];
+              bands.mass(of_node(begin + i), of_node(begin + j)) += lengths_[begin / parameters_.degree] * element_->mass[i][j];
   }
 
   std::vector<double> Muscle1dSystem::events(const double t0, const double t1) const

@@ -3,6 +3,7 @@
 #include <myolines/muscle1d/sampled.h>
 
 #include <cmath>
+#include <map>
 
 namespace myolines
 {
@@ -185,13 +186,16 @@ namespace myolines
   scene::Schema continuum_muscle_schema()
   {
     Schema schema = with_common("Muscle as a continuum, thesis (3.3.6), by finite elements, with a tendon, the length of both given.");
-    schema.integer("elements", 60, Range::closed(1, 10000000), "Number of elements of equal length.")
+    schema.integer("elements", 60, Range::closed(1, 10000000), "Number of elements.")
+        .number("grading", 0.2, "-", Range::closed(1e-3, 1e3),
+                "Length of the last element, at the tendon, over that of the first; in between a geometric series. The tendon pulls fronts "
+                "out of the end of the muscle, which smaller elements there resolve.")
         .integer("degree", 1, Range::closed(1, 16),
                  "Polynomial degree of the elements; where force-velocity damps nothing, fronts are steep and higher ones no better.")
         .choice(
-            "mass", "lumped", {"lumped", "consistent"},
-            "Integrated on the nodes, or exactly. Where force-velocity damps nothing, the limit of many elements is not unique; degree 1 "
-            "with the lumped mass has that of many masses.")
+            "mass", "blended", {"lumped", "blended", "consistent"},
+            "Integrated on the nodes, exactly, or a third exactly and the rest on the nodes. Where force-velocity damps nothing, elements "
+            "with consistent mass, the more the farther, and of higher degree have another limit than many masses.")
         .number("base material fraction", 0, "-", Range{0, 1, false, true}, "chi_BM of (3.3.11).")
         .section("base material", base_material_schema());
     return schema;
@@ -199,11 +203,14 @@ namespace myolines
 
   Muscle1dParameters read_continuum_muscle(const Node &system)
   {
-    Muscle1dParameters p = read_common(system);
-    p.n_elements         = system.integer("elements");
-    p.degree             = system.integer("degree");
-    p.mass_of            = system.text("mass") == "lumped" ? MassOf::lumped : MassOf::consistent;
-    p.force.base         = read_base_material(system);
+    Muscle1dParameters                  p = read_common(system);
+    const std::map<std::string, MassOf> masses{
+        {"lumped", MassOf::lumped}, {"blended", MassOf::blended}, {"consistent", MassOf::consistent}};
+    p.n_elements = system.integer("elements");
+    p.grading    = system.number("grading");
+    p.degree     = system.integer("degree");
+    p.mass_of    = masses.at(system.text("mass"));
+    p.force.base = read_base_material(system);
     return p;
   }
 } // namespace myolines

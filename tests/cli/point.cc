@@ -53,6 +53,33 @@ TEST(Point, EqualsClosedForms)
     EXPECT_TRUE(std::filesystem::exists(p / "pictures" / (std::string(picture) + ".svg"))) << picture;
 }
 
+// Thesis Figure 3.4: at stretch 1.2 Table A.1 prints 0.669106, Table A.2 the cubic from 1.12, and (3.3.9), (3.3.10) give the base material.
+TEST(Point, OfOneDimensionalMusclesEqualsClosedForms)
+{
+  const TestFolder  folder;
+  const std::string chain = input + "one_dimensional/isometric_chain.xml --stretch 0.5 1.5 101 --activation 0 0.5 1";
+  const Outcome     with  = run_program(folder, "point " + chain + " --out with --set 'system/base material fraction=0.0015'");
+  ASSERT_EQ(with.exit_code, 0) << with.err;
+  EXPECT_NE(with.out.find("falls nowhere"), std::string::npos) << with.out;
+  const double s = 1.2, nu = 0.499, mu = 1 / (2 * (1 + nu)), lambda = nu / ((1 - nu) * (1 - 2 * nu)), x = s - 1.12;
+  const double active = 0.9985 * 0.669106, passive = 0.9985 * (((7.439238 * x + 1.093430) * x + 0.425952) * x + 0.061576),
+               base = 0.0015 * 5 * (mu * s + (lambda * std::log(s) - mu) / s);
+
+  const std::vector<double> parts = row_at(folder / "with/muscle_parts.csv", s);
+  EXPECT_NEAR(parts[1], active, 1e-12);
+  EXPECT_NEAR(parts[2], passive, 1e-12);
+  EXPECT_NEAR(parts[3], base, 1e-12);
+  EXPECT_NEAR(parts[4], active + passive + base, 1e-12);
+  EXPECT_NEAR(row_at(folder / "with/muscle_stretch.csv", s)[2], 0.5 * active + passive + base, 1e-12);
+  EXPECT_NEAR(row_at(folder / "with/muscle_strain_rate.csv", 1)[3], 0.9985 * (1.6 + 0.024066), 1e-5);
+  EXPECT_TRUE(std::filesystem::exists(folder / "with/pictures/muscle_parts.svg"));
+
+  // Without it the force falls from the optimal length, where the active curve has its maximum, to 1.33.
+  const Outcome without = run_program(folder, "point " + chain + " --out without");
+  ASSERT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_NE(without.out.find("falls at stretches from 1.01 to 1.3"), std::string::npos) << without.out;
+}
+
 TEST(Point, WhatCannotBeIsRefused)
 {
   const TestFolder folder;

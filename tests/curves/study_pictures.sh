@@ -1,6 +1,6 @@
 #!/bin/sh
 # study_pictures.sh PROGRAM SOURCE RESULTS: runs the studies behind doc/kinks.md and doc/stability.md in RESULTS, where a study that is done is not
-# run again, and puts the pictures of these pages into SOURCE/doc/pictures.
+# run again, and puts the pictures of these pages, and the forces of doc/muscle_tendon_units.md, into SOURCE/doc/pictures.
 set -eu
 program=$1 source=$2 results=$3
 
@@ -24,3 +24,7 @@ study stability_stress map_0.05.svg stability_0.05 map_0.01.svg stability_0.01 m
 study stability_short map_1e_4.svg stability_short_1e-4 map_1e_5.svg stability_short_1e-5
 study energy_drift_rod
 study energy_drift_block
+
+"$program" point "$source/input/one_dimensional/isometric_chain.xml" --set "system/base material fraction=0.0015" --stretch 0.5 1.7 241 \
+  --out "$results/base_material"
+cp "$results/base_material/pictures/muscle_parts.svg" "$source/doc/pictures/base_material.svg"

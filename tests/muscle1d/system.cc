@@ -45,7 +45,8 @@ TEST(Muscle1d, isLinearisedExactly)
 {
   expect_exact_linearisation(unit({"masses=0", "task=walking"}), "massless");
   expect_exact_linearisation(unit({"masses=7", "muscle=MG"}), "masses");
-  expect_exact_linearisation(continuum({"elements=3", "degree=4", "base material fraction=0.1"}), "continuum");
+  expect_exact_linearisation(continuum({"elements=3", "degree=4", "grading=1", "base material fraction=0.1"}), "continuum");
+  expect_exact_linearisation(continuum({"elements=4", "degree=2", "grading=0.3", "mass=consistent"}), "graded continuum");
   expect_exact_linearisation(read_isometric_chain(node(isometric_chain_schema(), {"elements=6", "base material fraction=0.01"})), "chain");
 }
 
@@ -82,7 +83,7 @@ TEST(Muscle1d, continuumOfOneElementIsOneSmallerMass)
   WorkLedger           ledger;
   const Muscle1dSystem chain(unit({"masses=1"}), ledger);
   const State          state = somewhere(chain);
-  for (const auto &[mass, part] : {std::pair("lumped", 1. / 2), std::pair("consistent", 1. / 3)})
+  for (const auto &[mass, part] : {std::pair("lumped", 1. / 2), std::pair("blended", 4. / 9), std::pair("consistent", 1. / 3)})
     {
       const Muscle1dSystem element(continuum({"elements=1", "degree=1", std::string("mass=") + mass}), ledger);
       const Vector         r1 = residual_at(chain, state), r2 = residual_at(element, state);
@@ -94,7 +95,7 @@ TEST(Muscle1d, continuumOfOneElementIsOneSmallerMass)
 TEST(Muscle1d, lumpedContinuumIsTheChainButForItsEnd)
 {
   WorkLedger           ledger;
-  const Muscle1dSystem chain(unit({"masses=9"}), ledger), element(continuum({"elements=9", "degree=1"}), ledger);
+  const Muscle1dSystem chain(unit({"masses=9"}), ledger), element(continuum({"elements=9", "mass=lumped", "grading=1"}), ledger);
   const State          state      = somewhere(chain);
   Vector               difference = residual_at(chain, state);
   difference -= residual_at(element, state);
@@ -105,8 +106,8 @@ TEST(Muscle1d, lumpedContinuumIsTheChainButForItsEnd)
 
 TEST(Muscle1d, totalMassMoves)
 {
-  for (const Muscle1dParameters &p :
-       {unit({"masses=5"}), continuum({"elements=3", "degree=5"}), continuum({"elements=3", "degree=5", "mass=consistent"})})
+  for (const Muscle1dParameters &p : {unit({"masses=5"}), continuum({"elements=3", "degree=5", "grading=1"}),
+                                      continuum({"elements=3", "degree=5", "grading=1", "mass=consistent"})})
     {
       WorkLedger           ledger;
       const Muscle1dSystem system(p, ledger);
@@ -139,6 +140,36 @@ TEST(Muscle1d, totalMassMoves)
       linearisation->apply(stage_weights(0, 0, 1), x, y);
       EXPECT_NEAR(x * y, expected, 1e-13);
     }
+}
+
+// Lengths 4/7, 2/7 and 1/7 of the muscle: a uniform strain is one in all of them, and the consistent mass is exact for u = X.
+TEST(Muscle1d, gradedElementsAreAGeometricSeries)
+{
+  WorkLedger           ledger;
+  const Muscle1dSystem system(continuum({"elements=3", "grading=0.25", "mass=consistent"}), ledger);
+  const double         length = system.parameters().optimal_length, ends[] = {4. / 7, 6. / 7, 1};
+  State                state = system.initial_state(0);
+  Vector               x(state.u), y(state.u);
+  for (unsigned int i = 0; i < 3; ++i)
+    {
+      x(i)       = ends[i];
+      state.u(i) = 0.02 * length * ends[i];
+      state.v(i) = 0.3 * length * ends[i];
+    }
+  for (const double stretch : system.element_stretches(state.u))
+    EXPECT_NEAR(stretch, system.parameters().initial_stretch + 0.02, 1e-14);
+  const HillForce::Value expected =
+      system.parameters().force(system.parameters().initial_stretch + 0.02, 0.3, system.parameters().activation->value(0));
+  for (const double force : system.element_forces(0, state.u, state.v))
+    EXPECT_NEAR(force, expected.force, 1e-13);
+  const Vector residual = residual_at(system, state);
+  for (unsigned int i = 0; i < 2; ++i)
+    EXPECT_NEAR(residual(i), 0, 1e-12 * system.parameters().maximum_force);
+
+  const auto linearisation = system.make_linearisation();
+  system.linearise({0, Side::right, state.u, state.v, state.a}, *linearisation);
+  linearisation->apply(stage_weights(0, 0, 1), x, y);
+  EXPECT_NEAR(x * y, system.parameters().mass / 3, 1e-12);
 }
 
 TEST(Muscle1d, saysWhatIsInadmissible)

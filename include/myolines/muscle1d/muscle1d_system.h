@@ -15,10 +15,11 @@ namespace myolines
   /// How the mass of a muscle is spread over its nodes.
   enum class MassOf
   {
-    none,      ///< a massless spring
-    points,    ///< equal masses on all free nodes, thesis (2.2.7), (3.2.1)
-    lumped,    ///< that of the density, thesis (3.3.6), integrated on the nodes: diagonal
-    consistent ///< the same, integrated exactly
+    none,       ///< a massless spring
+    points,     ///< equal masses on all free nodes, thesis (2.2.7), (3.2.1)
+    lumped,     ///< that of the density, thesis (3.3.6), integrated on the nodes: diagonal
+    consistent, ///< the same, integrated exactly
+    blended     ///< a third of it consistent, the rest lumped: a third of the dispersion of the lumped one in waves on degree 1
   };
 
   class StoredBands;
@@ -38,6 +39,7 @@ namespace myolines
     double       initial_stretch = 1;   ///< of all elements
     unsigned int n_elements      = 1;
     unsigned int degree          = 1; ///< of the elements
+    double       grading         = 1; ///< length of the last element, at the tendon, over that of the first; in between a geometric series
     MassOf       mass_of         = MassOf::points;
     HillForce    force;
 
@@ -55,11 +57,11 @@ namespace myolines
   ///
   ///     (m/l_M) u_tt = F_X,   F = F_0 f(l, e, a),      F = F_0 F_T((L(t) - x(l_M))/l_T) at X = l_M, or u(l_M) = 0.
   ///
-  /// Finite elements of equal length: of degree 1 with one Gauss point and equal masses at the free nodes this is the chain of N point
-  /// masses between Hill springs of (2.2.7) and (3.2.1); of one element without mass it is the massless muscle-tendon unit (2.2.6), an
-  /// equation of first order in u that is never solved for u': where the activation vanishes it becomes algebraic, and the
-  /// matrices of implicit steps, K + C/(g dt), stay regular. Elements of degree k with k + 1 Gauss points and Gauss-Lobatto
-  /// nodes discretise the continuum (3.3.6).
+  /// Finite elements, all of equal length unless they are graded: of degree 1 with one Gauss point and equal masses at the free nodes this
+  /// is the chain of N point masses between Hill springs of (2.2.7) and (3.2.1); of one element without mass it is the massless
+  /// muscle-tendon unit (2.2.6), an equation of first order in u that is never solved for u': where the activation vanishes it becomes
+  /// algebraic, and the matrices of implicit steps, K + C/(g dt), stay regular. Elements of degree k with k + 1 Gauss points and
+  /// Gauss-Lobatto nodes discretise the continuum (3.3.6).
   ///
   /// Unknowns: displacements of the free nodes [m] along the muscle, of second order, or of first order without mass. Where
   /// the activation is solved with the motion, each element has its own, of first order, before the nodes that end it; the unknown is
@@ -117,7 +119,8 @@ namespace myolines
 
     Muscle1dParameters             parameters_;
     WorkLedger                    &ledger_;
-    std::unique_ptr<const Element> element_;     ///< all elements are alike
+    std::unique_ptr<const Element> element_;     ///< of mean length
+    std::vector<double>            lengths_;     ///< of the elements over the mean one
     double                         point_mass_;  ///< of a free node [kg]; of MassOf::points
     Constraints                    constraints_; ///< none
     Vector                         layout_;
