@@ -107,8 +107,9 @@ namespace myolines
         std::ostringstream text;
         text << "the step " << dt << " s is longer than " << stable_step_ << " s, the stable step of \"" << facts().name
              << "\" (estimated, with its safety factor)";
-        report.outcome = StepReport::Outcome::not_converged;
-        report.reason  = text.str();
+        report.outcome      = StepReport::Outcome::not_converged;
+        report.longest_step = stable_step_;
+        report.reason       = text.str();
       }
 
       void estimate(const State &state, StepReport &report)

@@ -111,8 +111,13 @@ namespace myolines
             tissue.fibre.direction = unit_vector({{a(0, x, 0), a(1, x, 0), a(2, x, 0)}}).value_or(no_direction());
           }
         for (unsigned int r = 0; r < formulas.regions.size(); ++r)
-          if (formulas.regions[r](0, x, 0) > 0)
-            region = r + 1;
+          {
+            const double where = formulas.regions[r](0, x, 0);
+            if (std::isnan(where))
+              problem = "the formula of an activation region is not a number";
+            if (where > 0)
+              region = r + 1;
+          }
       }
     if (fields_.table)
       {

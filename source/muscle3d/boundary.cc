@@ -63,7 +63,7 @@ namespace myolines
         for (const double t : {0.0137, 0.0713, 0.139})
           {
             const double difference = (f(c, x, t + h) - f(c, x, t - h)) / (2 * h), given = rate(c, x, t);
-            if (std::abs(difference - given) > 0.02 * std::max(std::abs(difference), std::abs(given)) + 1e-9)
+            if (!(std::abs(difference - given) <= 0.02 * std::max(std::abs(difference), std::abs(given)) + 1e-9))
               node.refuse(name + axes[c],
                                       "is " + std::to_string(given) + " at t = " + std::to_string(t) + " s, where its formula should give about " +
                                           std::to_string(difference),
@@ -193,6 +193,23 @@ namespace myolines
     }
 
   } // namespace
+
+  bool BoundaryCondition::loads(const dealii::Point<3> &x) const
+  {
+    for (unsigned int c = 0; c < 3; ++c)
+      if (x[c] < low[c] || x[c] > high[c])
+        return false;
+    return true;
+  }
+
+  void BoundaryCondition::refuse_empty(const double area) const
+  {
+    if (!(area > 0))
+      throw InputError(InputProblem{scene_path,
+                                    "the load acts nowhere: none of the quadrature points of the face is between its \"from\" and \"to\"",
+                                    "a part of the face as wide as the distance of its quadrature points",
+                                    "lengths are in metres; refine the mesh, or widen the part"});
+  }
 
   bool BoundaryCondition::may_move(const unsigned int c) const
   {

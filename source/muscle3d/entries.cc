@@ -4,6 +4,7 @@
 #include <myolines/muscle3d/formula.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace myolines
@@ -71,13 +72,21 @@ namespace myolines
 
   void refuse_values_outside(const Node &node, const Drive &drive, const Range &range, const std::string &quantity)
   {
-    std::vector<double> times = drive.kinks(-1e9, 1e9);
-    times.insert(times.end(), {-1e9, 1e9});
+    // Within the first second, at kinks, and at times whose ratio is small from there to 1e5 s; slow oscillations are met too.
+    std::vector<double> times;
     for (int i = 0; i <= 1000; ++i)
       times.push_back(1e-3 * i);
+    for (int i = 1; i <= 2000; ++i)
+      times.push_back(std::pow(10, 2.5e-3 * i));
+    const std::vector<double> kinks = drive.kinks(-1e9, 1e9);
+    times.insert(times.end(), kinks.begin(), kinks.end());
+    times.insert(times.end(), {1e9, -1e9});
     for (const double t : times)
       if (const double value = drive.value(t, Side::right); !range.contains(value))
-        node.refuse("type", "the " + quantity + " is " + std::to_string(value) + " at t = " + std::to_string(t) + " s",
-                    quantity + " " + range.text());
+        {
+          std::ostringstream what;
+          what << "the " << quantity << " is " << value << " at t = " << t << " s";
+          node.refuse("type", what.str(), quantity + " " + range.text() + " at all times");
+        }
   }
 } // namespace myolines

@@ -3,23 +3,25 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <numeric>
-
 namespace myolines
 {
   namespace
   {
-    double area(const NodeSpace &space, const unsigned int face)
+    /// Area that a load is spread over, by @p n_points in either direction.
+    double area(const NodeSpace &space, const BoundaryCondition &condition, const unsigned int n_points)
     {
-      dealii::FEFaceValues<3> values(space.nodes().get_fe(), dealii::QGauss<2>(3), dealii::update_JxW_values);
+      dealii::FEFaceValues<3> values(space.nodes().get_fe(), dealii::QGauss<2>(n_points),
+                                     dealii::update_JxW_values | dealii::update_quadrature_points);
       double                  sum = 0;
       for (const auto &cell : space.nodes().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == face)
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.face)
               {
                 values.reinit(cell, f);
-                sum += std::accumulate(values.get_JxW_values().begin(), values.get_JxW_values().end(), 0.);
+                for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
+                  if (condition.loads(values.quadrature_point(q)))
+                    sum += values.JxW(q);
               }
       return dealii::Utilities::MPI::sum(sum, space.communicator());
     }
@@ -28,13 +30,14 @@ namespace myolines
   Loads::Loads(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation)
     : discretisation_(discretisation)
   {
+    const NodeSpace &space = *discretisation.space;
     for (const BoundaryCondition &condition : parameters.boundary)
       if (condition.type == BoundaryCondition::Type::traction)
         tractions_.push_back({&condition, VectorFormula(condition.traction)});
       else if (condition.type == BoundaryCondition::Type::pressure || condition.type == BoundaryCondition::Type::directed_traction)
         tractions_.push_back({&condition, {}});
       else if (condition.type == BoundaryCondition::Type::isotonic)
-        tractions_.push_back({&condition, {}, area(*discretisation.space, condition.face)});
+        tractions_.push_back({&condition, {}, area(space, condition, 3)});
       else if (condition.prescribes_motion())
         {
           motions_.push_back({&condition, discretisation.space->face_nodes(condition.face), {}});
@@ -42,6 +45,8 @@ namespace myolines
             for (const auto *text : {&condition.displacement, &condition.velocity, &condition.acceleration})
               motions_.back().formulas.emplace_back(*text);
         }
+    for (const Traction &traction : tractions_)
+      traction.condition->refuse_empty(area(space, *traction.condition, discretisation.element.n_points_1d));
     if (parameters.body_force)
       body_force_ = std::make_unique<VectorFormula>(*parameters.body_force);
   }
@@ -75,9 +80,8 @@ namespace myolines
                                               const double factor) const
   {
     dealii::Tensor<1, 3> T;
-    for (unsigned int c = 0; c < 3; ++c)
-      if (x[c] < condition->low[c] || x[c] > condition->high[c])
-        return T;
+    if (!condition->loads(x))
+      return T;
     if (condition->type == BoundaryCondition::Type::pressure)
       return -condition->load * factor * normal;
     if (!formula)
@@ -114,7 +118,7 @@ namespace myolines
                   for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
                     {
                       const auto T = values.JxW(q) * traction.value(values.quadrature_point(q), values.normal_vector(q), t, factor);
-                      if (T.norm_square() > 0)
+                      if (T.norm_square() != 0) // a load that is no number must be seen
                         for (unsigned int i = 0; i < nodes.size(); ++i)
                           for (unsigned int c = 0; c < 3; ++c)
                             f(3 * nodes[i] + c) += T[c] * values.shape_value(i, q);

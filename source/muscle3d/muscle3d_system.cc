@@ -29,6 +29,13 @@ namespace myolines
         throw InputError(InputProblem{
             "system/fields", problem,
             "fractions in [0, 1], stresses and scales >= 0, fibre directions, tissues that have a list, everywhere in the body", ""});
+    std::vector<unsigned int> points(materials_->points_of_region());
+    dealii::Utilities::MPI::sum(materials_->points_of_region(), discretisation_->communicator, points);
+    for (std::size_t r = 0; r < parameters_.regions.size(); ++r)
+      if (points[r + 1] == 0)
+        throw InputError(InputProblem{"system/activation regions/" + parameters_.regions[r].name + "/where",
+                                      "is positive nowhere in the muscle, or only where later regions cover it",
+                                      "a formula that is positive at some quadrature points", "lengths are in metres"});
   }
 
   Muscle3dSystem::~Muscle3dSystem() = default;

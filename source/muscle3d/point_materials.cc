@@ -66,7 +66,8 @@ namespace myolines
     std::unique_ptr<Gradients> gradients;
     if (potential != nullptr && batches.n_batches() > 0)
       gradients = std::make_unique<Gradients>(*potential, batches.cell(0, 0)->get_fe(), element);
-    const BodyFields             &fields = parameters.fields;
+    const BodyFields &fields = parameters.fields;
+    points_of_region_.resize(1 + fields.regions.size());
     const MaterialField           field(fields, parameters.tissues);
     std::map<unsigned int, Batch> uniform; // by material id
     for (unsigned int b = 0; b < batches.n_batches(); ++b)
@@ -111,7 +112,9 @@ namespace myolines
             if (problem_.empty())
               problem_ = problem.empty() ? what_is_wrong(m, x) : problem + " at " + text_of(x);
             if (problem_.empty() && distance > cell->diameter())
-              problem_ = "has no point within " + std::to_string(cell->diameter()) + " m of " + text_of(x);
+              problem_ = "the table of points has none within " + std::to_string(cell->diameter()) + " m of " + text_of(x) +
+                         " (it must cover the body, in metres)";
+            ++points_of_region_[static_cast<unsigned int>(m[material_region])];
             batch.muscle = batch.muscle || has_muscle(m);
             batch.tendon = batch.tendon || has_tendon(m);
             for (unsigned int i = 0; i < n_material_values; ++i)

@@ -46,7 +46,10 @@ namespace myolines
             if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == conditions_[k].given->face)
               add_face(cell, f, k);
     for (Condition &condition : conditions_)
-      condition.area = dealii::Utilities::MPI::sum(condition.area, d_.communicator);
+      {
+        condition.area = dealii::Utilities::MPI::sum(condition.area, d_.communicator);
+        condition.given->refuse_empty(condition.area);
+      }
   }
 
   /// Tangents run along the two axes after that across the face, so that their product points along that one.
@@ -77,9 +80,7 @@ namespace myolines
             X2 += d2_[q][i] * at;
           }
         const Vector3 product = face.sign * cross_product_3d(X1, X2);
-        bool          inside  = true;
-        for (unsigned int c = 0; c < 3; ++c)
-          inside = inside && X[c] >= given.low[c] && X[c] <= given.high[c];
+        const bool    inside  = given.loads(dealii::Point<3>(X));
         face.points.push_back({inside ? w[q] : 0., inside ? w[q] * product.norm() : 0., product / product.norm()});
         if (cell->is_locally_owned())
           conditions_[condition].area += face.points.back().area;

@@ -60,7 +60,10 @@ namespace myolines
     has_rate_gap_        = problem_.open_rates(x);
     Sample       sample  = sample_at(x, stamp, g);
     const Vector missing = gap(x);
-    if (sample.evaluation.admissible && (has_rate_gap_ || missing.linfty_norm() > 0))
+    const double size    = norm_or_nan(missing);
+    if (!std::isfinite(size))
+      sample.evaluation = {false, "a prescribed value is not a finite number: a formula or drive is not defined at this time"};
+    if (sample.evaluation.admissible && (has_rate_gap_ || size > 0))
       add_lift(x, missing, sample, g);
     return sample;
   }
@@ -93,7 +96,7 @@ namespace myolines
     free_.condense(g);
     sample.norm = norm_or_nan(g);
     if (!std::isfinite(sample.norm))
-      sample.evaluation = {false, "the residual is not a finite number"};
+      sample.evaluation = {false, "the residual is not a finite number: a load or motion by a formula, perhaps, that is not defined there"};
     return sample;
   }
 

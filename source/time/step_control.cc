@@ -2,6 +2,7 @@
 #include <myolines/time/plan.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace myolines
@@ -49,7 +50,7 @@ namespace myolines
       {
         const Plan::Step step      = plan_.at(t);
         const double     remainder = step.end - t;
-        const double     size      = step.size * std::exp2(-cuts_);
+        const double     size      = std::min(step.size * std::exp2(-cuts_), limit_);
         const double     parts     = std::max(1., std::ceil(remainder / size - 1e-9));
         return parts == 1 ? std::min(size, remainder) : remainder / parts;
       }
@@ -62,8 +63,14 @@ namespace myolines
         rejections_ = 0;
       }
 
-      bool rejected(const double t, const double dt, const StepReport &) override
+      /// Steps that were too long for the method are cut to equal ones, and stay so: methods lose their stability where steps vary.
+      bool rejected(const double t, const double dt, const StepReport &report) override
       {
+        if (report.longest_step && *report.longest_step < dt)
+          {
+            limit_ = *report.longest_step;
+            return limit_ >= minimum_ && t + limit_ > t;
+          }
         const double half = dt / 2;
         cuts_             = std::log2(plan_.at(t).size / half);
         ++rejections_;
@@ -75,11 +82,17 @@ namespace myolines
         return "a smaller \"time/step\", more \"maximum cuts\" in \"time/control\", or " + more_iterations;
       }
 
-      void save(Archive &archive) const override { archive.put("step control: cuts", cuts_); }
+      void save(Archive &archive) const override
+      {
+        archive.put("step control: cuts", cuts_);
+        archive.put("step control: longest step", limit_);
+      }
       void load(const Archive &archive) override
       {
         if (archive.has_numbers("step control: cuts")) // else the run to resume had another control
           cuts_ = archive.number("step control: cuts");
+        if (archive.has_numbers("step control: longest step"))
+          limit_ = archive.number("step control: longest step");
       }
 
     private:
@@ -88,7 +101,8 @@ namespace myolines
       const double       minimum_;
       const unsigned int maximum_cuts_;
       double             cuts_       = 0;
-      unsigned int       rejections_ = 0; ///< since the last accepted step
+      double             limit_      = std::numeric_limits<double>::infinity(); ///< of the method [s]
+      unsigned int       rejections_ = 0;                                       ///< since the last accepted step
     };
 
     Plan scheduled(const scene::Node &time, const double start, const double end)

@@ -58,6 +58,10 @@ namespace myolines
     bool reacts() const { return constrains() || type == Type::foundation; }
     /// Whether component @p c may move where the motion is prescribed.
     bool may_move(unsigned int c) const;
+    /// Whether @p x is in the box that a load is confined to.
+    bool loads(const dealii::Point<3> &x) const;
+    /// @throws InputError if the load acts on no area.
+    void refuse_empty(double area) const;
     bool has_stop() const { return type == Type::isotonic && spring; }
     bool is_spring() const { return type == Type::foundation || spring; }
     /// Factor of the load at an instant.

@@ -25,6 +25,8 @@ namespace myolines
     Material at(unsigned int b, int q, unsigned int lane) const;
     /// What the fields get wrong on this rank, a sentence about "system/fields"; else empty.
     const std::string &problem() const { return problem_; }
+    /// How many points of this rank have the activation of [0] no region, [1] the first, ...; counted where there are fields.
+    const std::vector<unsigned int> &points_of_region() const { return points_of_region_; }
     /// Whether some point of the batch has such fibres.
     bool muscle(const unsigned int b) const { return batches_[b].muscle; }
     bool tendon(const unsigned int b) const { return batches_[b].tendon; }
@@ -43,5 +45,6 @@ namespace myolines
     dealii::AlignedVector<double> values_;
     std::vector<Batch>            batches_;
     std::string                   problem_;
+    std::vector<unsigned int>     points_of_region_;
   };
 } // namespace myolines

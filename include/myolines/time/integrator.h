@@ -80,6 +80,7 @@ namespace myolines
     unsigned int          residual_evaluations = 0;
     double                initial_residual     = 0; ///< l2 over free unknowns after the lift
     double                final_residual       = 0;
+    std::optional<double> longest_step;   ///< that the method takes from here [s], where a step was refused for its length
     std::optional<double> error_estimate; ///< relative to the tolerances, if the method estimates it
 
     bool accepted() const { return outcome == Outcome::accepted; }
