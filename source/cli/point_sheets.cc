@@ -3,6 +3,7 @@
 #include "point_sheets.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace myolines
 {
