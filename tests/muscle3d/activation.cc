@@ -135,10 +135,26 @@ namespace myolines
       EXPECT_NE(complaint(list("activation", half) + list("excitation", half)).find("one of them"), std::string::npos);
       EXPECT_NE(complaint(list("excitation", value("1.5"))).find("excitation in [0, 1]"), std::string::npos);
       EXPECT_NE(complaint(list("activation regions", region)).find("not a formula"), std::string::npos);
+      // One oscillation in twenty seconds, from -0.8 to 1.2.
+      const std::string slow = parameter("type", "string", "sine") + parameter("offset", "double", "0.2") +
+                               parameter("amplitude", "double", "1") + parameter("frequency", "double", "0.05");
+      EXPECT_NE(complaint(list("activation", slow)).find("activation in [0, 1.1]"), std::string::npos);
       std::string many;
       for (int r = 0; r < max_regions; ++r)
         many += list("region " + std::to_string(r), where("x"));
       EXPECT_NE(complaint(list("activation regions", many)).find("at most 15 regions"), std::string::npos);
+    }
+
+    TEST(ActivationRegions, WithoutAPointAreRefused)
+    {
+      WorkLedger ledger;
+      for (const char *where : {"x-5", "sqrt(-1-x)"})
+        {
+          Muscle3dParameters p = test::small_block();
+          p.regions            = {{"nowhere", std::make_shared<ConstantDrive>(1)}};
+          p.fields.regions     = {where};
+          EXPECT_THROW(Muscle3dSystem(p, MPI_COMM_WORLD, ledger), InputError) << where;
+        }
     }
   } // namespace
 } // namespace myolines

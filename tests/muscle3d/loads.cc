@@ -1,7 +1,11 @@
 // Loads from outside, against closed forms.
 #include "simulation.h"
 
+#include <myolines/base/error.h>
 #include <myolines/muscle3d/measurements.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace myolines
 {
@@ -69,6 +73,31 @@ namespace myolines
       EXPECT_NEAR(u[1], 0.01 * (l2 - 1), 1e-10);
       EXPECT_NEAR(u[2], 0.01 * (l2 - 1), 1e-10);
       EXPECT_NEAR(measure_reactions(simulation.system, simulation.state)[0].force[0], -T * 1e-4, 1e-9);
+    }
+
+    TEST(Traction, ThatActsNowhereOrIsNoNumberIsSeen)
+    {
+      WorkLedger         ledger;
+      Muscle3dParameters p = test::small_block(2, 3, 1);
+      Condition          pull;
+      pull.type       = Condition::Type::traction;
+      pull.face       = 1;
+      pull.components = {{false, false, false}};
+      pull.traction   = {{"sqrt(t-1)", "0", "0"}};
+      p.boundary      = {free_to_slide(0, 0), pull};
+      const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
+      const State          rest = system.initial_state(0);
+      Vector               r(rest.u);
+      system.residual({0, Side::left, rest.u, rest.v, rest.a}, r);
+      EXPECT_TRUE(std::any_of(r.begin(), r.end(), [](const double x) { return std::isnan(x); }));
+
+      for (const Condition::Type type :
+           {Condition::Type::traction, Condition::Type::pressure, Condition::Type::follower_pressure, Condition::Type::foundation})
+        {
+          p.boundary.back().type = type;
+          p.boundary.back().low  = {{-1, 5, -1}}; // 5 m away
+          EXPECT_THROW(Muscle3dSystem(p, MPI_COMM_WORLD, ledger), InputError);
+        }
     }
 
     TEST(Reactions, OnSharedEdgesAreCountedOnce)

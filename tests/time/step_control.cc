@@ -133,3 +133,19 @@ TEST(StepControl, cutBackIsRestoredFromAnArchive)
   EXPECT_EQ(second->propose(0), first->propose(0));
   EXPECT_NE(second->propose(0), 0.1);
 }
+
+TEST(StepControl, cutsToEqualStepsWhereAMethodTakesNoLonger)
+{
+  const auto explicit_steps = control({"end=10", "step=0.1"});
+  StepReport refused        = failed();
+  refused.longest_step      = 0.03;
+  ASSERT_TRUE(explicit_steps->rejected(0, 0.1, refused));
+  double t = 0;
+  for (unsigned int i = 1; i <= 20; ++i)
+    {
+      const double dt = explicit_steps->propose(t);
+      EXPECT_NEAR(dt, 0.025, 1e-14) << t;
+      explicit_steps->accepted(t, dt, StepReport());
+      t = i % 4 == 0 ? 0.1 * (i / 4) : t + dt;
+    }
+}
