@@ -3,10 +3,14 @@
 #include <myolines/cli/point.h>
 #include <myolines/muscle3d/parameters.h>
 #include <myolines/output/csv_file.h>
+#include <myolines/output/text_file.h>
 #include <myolines/study/picture.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
+
+#include <unistd.h>
 
 namespace myolines
 {
@@ -14,9 +18,20 @@ namespace myolines
   {
     std::vector<double> spaced(const std::vector<double> &range, const std::string &option, const double least)
     {
-      const double n = range.at(2);
-      if (!(range[0] < range[1]) || !(range[0] > least) || n < 2 || n != std::floor(n) || n > 1e6)
-        throw InputError(InputProblem{option, "no range", "FROM TO POINTS with FROM < TO and 2 to 1000000 points", ""});
+      std::vector<InputProblem> problems;
+      const auto   refuse = [&](const std::string &what, const std::string &expected) { problems.push_back({option, what, expected, ""}); };
+      const double n      = range.at(2);
+      for (const double end : {range[0], range[1]})
+        if (!std::isfinite(end))
+          refuse("FROM or TO = " + exact_text(end), "finite numbers");
+      if (!(range[0] > least))
+        refuse("FROM = " + exact_text(range[0]), "FROM > " + exact_text(least));
+      if (!(range[0] < range[1]))
+        refuse("FROM = " + exact_text(range[0]) + " is not below TO = " + exact_text(range[1]), "FROM < TO");
+      if (!(n >= 2 && n <= 1e6) || n != std::floor(n))
+        refuse("POINTS = " + exact_text(n), "POINTS, an integer in [2, 1000000]");
+      if (!problems.empty())
+        throw InputError(problems);
       std::vector<double> x;
       for (unsigned int i = 0; i < n; ++i)
         x.push_back(range[0] + (range[1] - range[0]) * i / (n - 1));
@@ -42,13 +57,27 @@ namespace myolines
         Activation a;
         a.level[0] = activation;
         const FibreTerms terms{muscle_, muscle_ && activation > 0, rate_, !muscle_, &a, &curves_};
-        return stretch * fibre_stress(material_.data(), terms, stretch, strain_rate).g;
+        return finite(stretch * fibre_stress(material_.data(), terms, stretch, strain_rate).g, stretch, strain_rate);
       }
 
       /// Uniaxial Cauchy stress of the isotropic parts [Pa].
-      double base(const double s) const { return 2 * (s * s - 1 / s) * yeoh(material_.data() + material_yeoh, s * s + 2 / s).first; }
+      double base(const double s) const
+      {
+        return finite(2 * (s * s - 1 / s) * yeoh(material_.data() + material_yeoh, s * s + 2 / s).first, s, 0);
+      }
 
     private:
+      /// @throws InputError where the numbers end.
+      static double finite(const double stress, const double stretch, const double strain_rate)
+      {
+        if (std::isfinite(stress) && std::isfinite(stretch) && std::isfinite(strain_rate))
+          return stress;
+        throw InputError(
+            InputProblem{"--stretch, --strain-rate",
+                         "the stress at stretch " + exact_text(stretch) + " and strain rate " + exact_text(strain_rate) + " is not finite",
+                         "ranges in which stresses are finite", ""});
+      }
+
       const Material             material_;
       const curves::FibreCurves &curves_;
       const bool                 muscle_, rate_;
@@ -172,7 +201,7 @@ namespace myolines
       /// All stretches by all rates; the picture has a few rates.
       study::Picture surface() const
       {
-        constexpr std::size_t    shown = 6;
+        const std::size_t        shown = std::min<std::size_t>(6, rates_.size());
         std::vector<std::string> titles;
         std::vector<double>      rates;
         for (std::size_t i = 0; i < shown; ++i)
@@ -233,7 +262,12 @@ namespace myolines
       system.refuse("type", "\"" + system.text("type") + "\" has no tissues", "\"muscle 3d\"");
     const Muscle3dParameters  parameters = read_muscle3d(system);
     const curves::FibreCurves curves     = parameters.fibre_curves();
-    std::filesystem::create_directories(options.folder / "pictures");
+    on_writing_rank("output folder " + options.folder.string(), "a folder that can be made and written", "choose another one with --out",
+                    [&] {
+                      std::filesystem::create_directories(options.folder / "pictures");
+                      if (access(options.folder.c_str(), W_OK) != 0)
+                        throw std::runtime_error("it cannot be written");
+                    });
     std::vector<study::Picture> pictures;
     for (const TissueKind &kind : tissue_kinds())
       if (const auto tissue = parameters.tissues.find(kind.id); tissue != parameters.tissues.end())
