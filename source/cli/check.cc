@@ -77,23 +77,22 @@ namespace myolines
               << "\n";
           return;
         }
-      const std::vector<double> &sizes = *planned;
-      out << "Steps: " << sizes.size() << " from " << experiment.settings().start << " s to " << experiment.settings().end
-          << " s, if none is rejected\n";
+      out << "Steps: " << (planned->complete ? "" : "more than ") << planned->n_steps << " from " << experiment.settings().start << " s to "
+          << experiment.settings().end << " s, if none is rejected\n";
       unsigned int lines = 0;
-      for (std::size_t i = 0; i < sizes.size();)
+      std::size_t  told  = 0;
+      for (const Experiment::StepPlan::Run &run : planned->runs)
         {
-          std::size_t j = i;
-          while (j < sizes.size() && std::abs(sizes[j] - sizes[i]) <= 1e-9 * sizes[i])
-            ++j;
           if (++lines > 20)
             {
-              out << "  ... and " << sizes.size() - i << " more\n";
+              out << "  ... and " << planned->n_steps - told << (planned->complete ? "" : " or") << " more\n";
               return;
             }
-          out << "  " << j - i << " x " << sizes[i] << " s\n";
-          i = j;
+          out << "  " << run.count << " x " << run.size << " s\n";
+          told += run.count;
         }
+      if (!planned->complete)
+        out << "  ... and more\n";
     }
   } // namespace
 

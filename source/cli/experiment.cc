@@ -1,3 +1,4 @@
+#include <myolines/base/error.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
@@ -8,28 +9,40 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace myolines
 {
   namespace
   {
-    /// Accepts every step and computes nothing, so that the loop itself tells which steps it would take.
+    /// Accepts every step and computes nothing, so that the loop itself tells which steps it would take. Ends it (Interrupted) where there
+    /// are more than the limit.
     class DryIntegrator : public Integrator
     {
     public:
       void       start(State &) override {}
       StepReport step(const double dt, State &state) override
       {
+        if (plan.n_steps == Experiment::StepPlan::limit)
+          {
+            plan.complete = false;
+            throw Interrupted("there are too many steps to plan them all");
+          }
         state.t += dt;
-        sizes.push_back(dt);
+        ++plan.n_steps;
+        if (!plan.runs.empty() && std::abs(dt - plan.runs.back().size) <= 1e-9 * plan.runs.back().size)
+          ++plan.runs.back().count;
+        else
+          plan.runs.push_back({1, dt});
         return {};
       }
       void save(Archive &) const override {}
       void load(const Archive &) override {}
 
-      std::vector<double> sizes;
+      Experiment::StepPlan plan;
     };
+
     /// @p scene, if what it asks for can be made at all.
     scene::Node feasible(scene::Node scene)
     {
@@ -48,6 +61,7 @@ namespace myolines
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
     refuse_ignored_inertia();
+    refuse_tiny_steps();
     solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
                                       *assembled_.system->make_linearisation(), assembled_.system->n_unknowns(),
                                       assembled_.system->capabilities().linear);
@@ -76,6 +90,26 @@ namespace myolines
       scene_.section("integrator")
           .refuse("type", "\"" + method_.facts.name + "\" ignores inertia, but the system has it", "an integrator for dynamics",
                   "or a system without inertia, where it can be without");
+  }
+
+  /// A step below the rounding of the times does not advance them.
+  void Experiment::refuse_tiny_steps() const
+  {
+    const scene::Node &time     = scene_.section("time");
+    const double       rounding = std::numeric_limits<double>::epsilon() * std::max(std::abs(settings_.start), std::abs(settings_.end));
+    const auto         require  = [&](const std::string &parameter, const double size) {
+      if (size > rounding)
+        return;
+      std::ostringstream what, expected;
+      what << "a step of " << size << " s is below the rounding of the times";
+      expected << "steps longer than " << rounding << " s";
+      time.refuse(parameter, what.str(), expected.str());
+    };
+    if (time.has("step"))
+      require("step", time.number("step"));
+    if (time.has("steps"))
+      for (const SchedulePiece &piece : parse_schedule(time.text("steps"), time, "steps"))
+        require("steps", piece.size);
   }
 
   /// When a moving boundary first changes its velocity abruptly, from rest at the start included; the same on all ranks.
@@ -164,7 +198,7 @@ namespace myolines
       run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_, &keeper);
   }
 
-  std::optional<std::vector<double>> Experiment::planned_steps() const
+  std::optional<Experiment::StepPlan> Experiment::planned_steps() const
   {
     if (error_norm_)
       return std::nullopt;
@@ -172,7 +206,15 @@ namespace myolines
     WorkLedger                         unused;
     const std::unique_ptr<StepControl> control = make_step_control(scene_.section("time"));
     State                              state   = assembled_.system->initial_state(settings_.start);
-    run_loop(*assembled_.system, dry, *control, settings_, state, {}, unused);
-    return dry.sizes;
+    try
+      {
+        run_loop(*assembled_.system, dry, *control, settings_, state, {}, unused);
+      }
+    catch (const Interrupted &)
+      {
+        if (dry.plan.complete)
+          throw;
+      }
+    return dry.plan;
   }
 } // namespace myolines

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <stdexcept>
 
 namespace myolines
 {
@@ -27,10 +29,23 @@ namespace myolines
       return {folder.empty() ? "." : folder};
     }
 
+    /// Told before anything is computed.
+    void require_writable(const std::filesystem::path &file)
+    {
+      on_writing_rank(file.string(), "a file that can be made and written", "choose another one with --out", [&file] {
+        if (!std::ofstream(file, std::ios::app))
+          throw std::runtime_error("cannot write it");
+      });
+    }
+
     /// The kept states of the run in @p folder, all or the one at the time @p at.
     std::vector<CheckpointReader> kept_states(const std::filesystem::path &folder, const std::optional<double> at,
                                               const Experiment &experiment, const std::filesystem::path &scene)
     {
+      if (!std::filesystem::is_directory(folder))
+        throw InputError(InputProblem{"--along " + folder.string(),
+                                      std::filesystem::exists(folder) ? "it is a file, not a folder" : "there is no such folder",
+                                      "the output folder of a run with the list output/checkpoint/keep", ""});
       std::vector<CheckpointReader> states;
       std::string                   times;
       for (const std::filesystem::path &file : kept_state_files(folder))
@@ -56,10 +71,12 @@ namespace myolines
   {
     constexpr std::size_t printed = 20;
     const Experiment      experiment(read_whole_scene(scene, overrides));
-    const auto           &system = *experiment.assembled().system;
-    const State           state  = system.initial_state(experiment.settings().start);
-    Vector                r(state.u);
-    const Evaluation      evaluation = system.residual({state.t, Side::right, state.u, state.v, state.a}, r);
+    if (!file.empty())
+      require_writable(file);
+    const auto      &system = *experiment.assembled().system;
+    const State      state  = system.initial_state(experiment.settings().start);
+    Vector           r(state.u);
+    const Evaluation evaluation = system.residual({state.t, Side::right, state.u, state.v, state.a}, r);
     if (!evaluation.admissible)
       throw SolveError("The initial state is inadmissible: " + evaluation.reason + ".");
     const auto        all     = modes(system, state);
@@ -70,7 +87,7 @@ namespace myolines
     for (std::size_t i = 0; i < std::min(printed, all.size()); ++i)
       out << "  " << all[i].real() << "   " << all[i].imag() << "   " << kind(all[i]) << "\n";
     if (all.size() > printed)
-      out << "  ... and " << all.size() - printed << " more that decay faster\n";
+      out << "  ... and " << all.size() - printed << " with smaller growth rates\n";
     if (file.empty())
       return;
     CsvFile csv(folder_of(file), file.filename().string(), {"growth rate [1/s]", "imaginary part [1/s]"});
@@ -90,7 +107,8 @@ namespace myolines
       columns.push_back("eigenvalue " + std::to_string(i) + " " + unit);
 
     const std::filesystem::path file = options.file.empty() ? options.run / "modes.csv" : options.file;
-    CsvFile                     csv(folder_of(file), file.filename().string(), columns);
+    require_writable(file);
+    CsvFile csv(folder_of(file), file.filename().string(), columns);
     out << "Smallest eigenvalues of the tangent " << unit << ", at rest in the configurations of " << options.run.string() << "\n";
     std::optional<std::pair<double, double>> before; // time, smallest eigenvalue
     for (const CheckpointReader &reader : states)

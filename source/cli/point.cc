@@ -3,11 +3,16 @@
 #include <myolines/muscle1d/isometric_chain.h>
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/muscle3d/parameters.h>
+#include <myolines/output/text_file.h>
 
 #include "point_sheets.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <optional>
+
+#include <unistd.h>
 
 namespace myolines
 {
@@ -32,13 +37,27 @@ namespace myolines
         Activation a;
         a.level[0] = activation;
         const FibreTerms terms{muscle_, muscle_ && activation > 0, rate_, !muscle_, &a, &curves_};
-        return stretch * fibre_stress(material_.data(), terms, stretch, strain_rate).g;
+        return finite(stretch * fibre_stress(material_.data(), terms, stretch, strain_rate).g, stretch, strain_rate);
       }
 
       /// Uniaxial Cauchy stress of the isotropic parts [Pa].
-      double base(const double s) const { return 2 * (s * s - 1 / s) * yeoh(material_.data() + material_yeoh, s * s + 2 / s).first; }
+      double base(const double s) const
+      {
+        return finite(2 * (s * s - 1 / s) * yeoh(material_.data() + material_yeoh, s * s + 2 / s).first, s, 0);
+      }
 
     private:
+      /// @throws InputError where the numbers end.
+      static double finite(const double stress, const double stretch, const double strain_rate)
+      {
+        if (std::isfinite(stress) && std::isfinite(stretch) && std::isfinite(strain_rate))
+          return stress;
+        throw InputError(
+            InputProblem{"--stretch, --strain-rate",
+                         "the stress at stretch " + exact_text(stretch) + " and strain rate " + exact_text(strain_rate) + " is not finite",
+                         "ranges in which stresses are finite", ""});
+      }
+
       const Material             material_;
       const curves::FibreCurves &curves_;
       const bool                 muscle_, rate_;
@@ -118,7 +137,7 @@ namespace myolines
       /// All stretches by all rates; the picture has a few rates.
       study::Picture surface() const
       {
-        constexpr std::size_t    shown = 6;
+        const std::size_t        shown = std::min<std::size_t>(6, rates_.size());
         std::vector<std::string> titles;
         std::vector<double>      rates;
         for (std::size_t i = 0; i < shown; ++i)
@@ -200,7 +219,12 @@ namespace myolines
         throw InputError(InputProblem{"--activation", std::to_string(a), "numbers in [0, 1]", ""});
     const scene::Node  whole  = read_whole_scene(scene, overrides);
     const scene::Node &system = whole.section("system");
-    std::filesystem::create_directories(options.folder / "pictures");
+    on_writing_rank("output folder " + options.folder.string(), "a folder that can be made and written", "choose another one with --out",
+                    [&] {
+                      std::filesystem::create_directories(options.folder / "pictures");
+                      if (access(options.folder.c_str(), W_OK) != 0)
+                        throw std::runtime_error("it cannot be written");
+                    });
     std::vector<study::Picture> pictures;
     if (system.text("type") == "muscle 3d")
       pictures = tissue_sheets(read_muscle3d(system), options, out);

@@ -1,4 +1,5 @@
 #include <myolines/base/error.h>
+#include <myolines/output/text_file.h>
 
 #include "point_sheets.h"
 
@@ -20,9 +21,20 @@ namespace myolines
 
   std::vector<double> spaced(const std::vector<double> &range, const std::string &option, const double least)
   {
-    const double n = range.at(2);
-    if (!(range[0] < range[1]) || !(range[0] > least) || n < 2 || n != std::floor(n) || n > 1e6)
-      throw InputError(InputProblem{option, "no range", "FROM TO POINTS with FROM < TO and 2 to 1000000 points", ""});
+    std::vector<InputProblem> problems;
+    const auto   refuse = [&](const std::string &what, const std::string &expected) { problems.push_back({option, what, expected, ""}); };
+    const double n      = range.at(2);
+    for (const double end : {range[0], range[1]})
+      if (!std::isfinite(end))
+        refuse("FROM or TO = " + exact_text(end), "finite numbers");
+    if (!(range[0] > least))
+      refuse("FROM = " + exact_text(range[0]), "FROM > " + exact_text(least));
+    if (!(range[0] < range[1]))
+      refuse("FROM = " + exact_text(range[0]) + " is not below TO = " + exact_text(range[1]), "FROM < TO");
+    if (!(n >= 2 && n <= 1e6) || n != std::floor(n))
+      refuse("POINTS = " + exact_text(n), "POINTS, an integer in [2, 1000000]");
+    if (!problems.empty())
+      throw InputError(problems);
     std::vector<double> x;
     for (unsigned int i = 0; i < n; ++i)
       x.push_back(range[0] + (range[1] - range[0]) * i / (n - 1));

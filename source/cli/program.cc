@@ -6,6 +6,7 @@
 #include <myolines/cli/program.h>
 #include <myolines/compare/compare.h>
 #include <myolines/output/text_file.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/study/plot.h>
 
 #include <deal.II/base/mpi.h>
@@ -19,6 +20,17 @@ namespace myolines
 {
   namespace
   {
+    /// A count: an integer of at least 1.
+    CLI::Validator at_least_one()
+    {
+      return CLI::Validator(
+          [](const std::string &text) {
+            const auto number = scene::parse_integer(text);
+            return number && *number >= 1 ? std::string() : "\"" + text + "\" is no count\n  expected: an integer >= 1";
+          },
+          "");
+    }
+
     /// The commands with the places their arguments are parsed into. `chosen` is the one to run.
     class CommandLine
     {
@@ -105,7 +117,7 @@ namespace myolines
                 ->type_name("DIR");
         command->add_option("--at", along_.at, "Time [s] of the only state to look at")->type_name("TIME")->needs(along);
         command->add_option("--number", along_.number, "Of smallest eigenvalues")
-            ->check(CLI::PositiveNumber)
+            ->check(at_least_one())
             ->needs(along)
             ->capture_default_str();
         add_overrides(command);
@@ -133,7 +145,7 @@ namespace myolines
                                 [this] { study_command(study_, run.quiet, out_); });
         command->add_option("study", study_.file, "The study")->required()->type_name("STUDY.xml");
         command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
-        command->add_option("--jobs", study_.jobs, "Runs at a time; default: as many as there are cores for")->check(CLI::PositiveNumber);
+        command->add_option("--jobs", study_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
         command->add_flag("--retry", study_.retry, "Runs cases again that failed");
         CLI::Option *list = command->add_flag("--list", study_.list, "Validates and prints the cases, and runs nothing");
         CLI::Option *part =
@@ -146,7 +158,7 @@ namespace myolines
                                 ->excludes(list);
         part->excludes(list);
         command->add_option("--tasks", study_.tasks, "Tasks of that array, or groups of ranks of that job")
-            ->check(CLI::PositiveNumber)
+            ->check(at_least_one())
             ->needs(emit)
             ->capture_default_str();
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
@@ -231,18 +243,19 @@ namespace myolines
     int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out,
                             std::ostream &err)
     {
-      if (app.exit(error, out, err) == 0)
-        return static_cast<int>(ExitCode::done);
       std::vector<std::string> commands;
       for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
         commands.push_back(command->get_name());
-      if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end())
+      const bool unknown = argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end();
+      if (unknown)
         {
           const std::string nearest = nearest_name(argv[1], commands);
           err << "unknown command \"" << argv[1] << "\"\n  expected: one of " << join(commands) << "\n";
           if (!nearest.empty())
             err << "  hint: nearest valid name: \"" << nearest << "\"\n";
         }
+      else if (app.exit(error, out, err) == 0)
+        return static_cast<int>(ExitCode::done);
       return static_cast<int>(ExitCode::invalid_input);
     }
 

@@ -103,10 +103,24 @@ namespace myolines
           << "  scene.resolved.xml, manifest.json   what was run, and with what\n";
     }
 
+    CheckpointReader open_checkpoint(const std::filesystem::path &folder)
+    {
+      try
+        {
+          return CheckpointReader(checkpoint_file(folder));
+        }
+      catch (const InputError &error)
+        {
+          InputProblem problem = error.problems().front();
+          problem.hint         = "name the folder of the run with --out; a run that has no checkpoint yet is started without --resume";
+          throw InputError(problem);
+        }
+    }
+
     /// The checkpoint in @p folder, if it is one of this scene that has not passed its end.
     Checkpoint read_checkpoint(const Experiment &experiment, const RunOptions &options, const std::filesystem::path &folder)
     {
-      const CheckpointReader reader(checkpoint_file(folder));
+      const CheckpointReader reader = open_checkpoint(folder);
       refuse_other_run(reader.contents().scene, scene::resolved_xml(experiment.scene()), options.scene.string());
       const double t = reader.contents().state.t;
       if (t > experiment.settings().end)

@@ -48,8 +48,11 @@ namespace myolines
     const std::string name  = node.text(parameter);
     const auto        found = std::find(faces.begin(), faces.end(), name);
     if (found == faces.end())
-      node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces),
-                  "nearest: \"" + nearest_name(name, faces) + "\"");
+      {
+        const std::string nearest = nearest_name(name, faces);
+        node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces),
+                    nearest.empty() ? "" : "nearest: \"" + nearest + "\"");
+      }
     return static_cast<unsigned int>(found - faces.begin());
   }
 

@@ -107,8 +107,7 @@ namespace myolines
 
     [[noreturn]] void refuse(const std::filesystem::path &file, const std::string &what)
     {
-      throw InputError(InputProblem{file.string(), what, "the checkpoint that a run leaves in its output folder",
-                                    "name that folder with --out, or run the scene without --resume"});
+      throw InputError(InputProblem{file.string(), what, "the checkpoint that a run leaves in its output folder", ""});
     }
   } // namespace
 

@@ -152,7 +152,10 @@ namespace myolines::scene
     std::ifstream      stream(file);
     std::ostringstream text;
     if (std::filesystem::is_directory(file) || !stream || !(text << stream.rdbuf()))
-      problems.push_back({file.string(), std::filesystem::exists(file) ? "the file cannot be read" : "there is no such file",
+      problems.push_back({file.string(),
+                          std::filesystem::is_directory(file) ? "it is a folder, not a file"
+                          : std::filesystem::exists(file)     ? "the file is empty or cannot be read"
+                                                              : "there is no such file",
                           "a readable, non-empty file", ""});
     return text.str();
   }

@@ -184,16 +184,23 @@ namespace myolines::scene
 
   void NodeBuilder::refuse_duplicates(const RawList &raw, const Node &node)
   {
-    std::set<std::string> seen, reported;
-    const auto            look_at = [&](const std::string &name) {
-      if (!seen.insert(name).second && reported.insert(name).second)
+    std::set<std::string> seen, of_overrides, reported;
+    const auto            report = [&](const std::string &name) {
+      if (reported.insert(name).second)
         problems_.push_back({node.where(name), "duplicate: " + quoted(name) + " is written more than once in this list", "every name once",
                              "remove all but one"});
     };
     for (const RawParameter &parameter : raw.parameters)
-      look_at(parameter.name);
+      {
+        if (!seen.insert(parameter.name).second)
+          report(parameter.name);
+        if (parameter.from_override)
+          of_overrides.insert(parameter.name);
+      }
+    // A parameter and a list of one name, one of them made by an override: told as what it is, by refuse_unknown().
     for (const RawList &list : raw.lists)
-      look_at(list.name);
+      if (!seen.insert(list.name).second && !list.from_override && of_overrides.count(list.name) == 0)
+        report(list.name);
   }
 
   void NodeBuilder::refuse_unknown(const RawList &raw, const Names &names, const Node &node)
@@ -205,8 +212,9 @@ namespace myolines::scene
         return;
       const std::string place = where(node, name, from_override);
       if (contains(other, name))
-        problems_.push_back(
-            {place, quoted(name) + " is written as a " + (is_list ? "list" : "parameter"), is_list ? "a parameter" : "a list", ""});
+        problems_.push_back({place, quoted(name) + (is_list ? " is a parameter, not a list" : " is a list, not a parameter"),
+                             is_list ? "a parameter" : "a list",
+                             from_override && !is_list ? "name a parameter in it: " + quoted(name + "/NAME=VALUE") : ""});
       else if (names.elsewhere.count(name) != 0)
         problems_.push_back({place, quoted(name) + " does not apply here", "what belongs to the chosen alternative",
                              "it belongs to " + quoted(names.elsewhere.at(name))});

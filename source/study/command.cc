@@ -88,6 +88,24 @@ namespace myolines::study
         }
     }
 
+    /// Quantities without a value in any case that is done, with the first reason that a case gives.
+    void print_missing(const Study &study, const std::vector<Row> &rows, std::ostream &out)
+    {
+      for (std::size_t q = 0; q < study.quantities.size(); ++q)
+        {
+          std::string reason;
+          bool        valued = false;
+          for (const Row &row : rows)
+            if (row.outcome.status == "done")
+              {
+                valued = valued || row.values[q].value;
+                reason = reason.empty() ? row.values[q].note : reason;
+              }
+          if (!valued && !reason.empty())
+            out << "Warning: \"" << study.quantities[q].name << "\" has no value in any case: " << reason << "\n";
+        }
+    }
+
     void print_cross_checks(const Study &study, const std::vector<Row> &rows, std::ostream &out)
     {
       for (const Row &row : rows)
@@ -178,6 +196,7 @@ namespace myolines::study
       const std::vector<Row> rows   = evaluate(study, cases, database.outcomes(), runner.folder);
       write_tables(study, rows, runner.folder, database);
       print_counts(rows, out);
+      print_missing(study, rows, out);
       throw_if_open(report);
       print_cross_checks(study, rows, out);
       print_equal_error(study, rows, out);

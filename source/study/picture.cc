@@ -79,15 +79,6 @@ namespace myolines::study
       out << "\n";
     }
 
-    bool has_points(const Picture &picture)
-    {
-      for (const Curve &curve : picture.curves)
-        for (const auto &point : curve.points)
-          if (drawable(picture, point))
-            return true;
-      return std::any_of(picture.panels.begin(), picture.panels.end(), has_points);
-    }
-
     void write_frame(const Picture &picture, std::ostream &out)
     {
       out << "set title " << quoted(picture.title) << "\nset xlabel " << quoted(picture.x_label) << "\nset ylabel "
@@ -143,6 +134,15 @@ namespace myolines::study
     }
   } // namespace
 
+  bool has_points(const Picture &picture)
+  {
+    for (const Curve &curve : picture.curves)
+      for (const auto &point : curve.points)
+        if (drawable(picture, point))
+          return true;
+    return std::any_of(picture.panels.begin(), picture.panels.end(), has_points);
+  }
+
   std::string gnuplot_script(const Picture &picture)
   {
     std::ostringstream out;
@@ -170,18 +170,21 @@ namespace myolines::study
   std::size_t draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder)
   {
     std::string script;
-    std::size_t n = 0;
-    for (const Picture &picture : pictures)
-      if (has_points(picture))
-        {
-          const std::string own = gnuplot_script(picture);
-          replace_file(folder / (picture.name + ".gp"), own);
-          script += own + "reset\n";
-          ++n;
-        }
+    std::size_t n   = 0;
+    const auto  all = folder / "pictures.gp", console = folder / "gnuplot.log";
+    on_writing_rank("output folder " + folder.string(), "a folder that can be made and written", "choose another one with --out", [&] {
+      std::filesystem::create_directories(folder);
+      for (const Picture &picture : pictures)
+        if (has_points(picture))
+          {
+            const std::string own = gnuplot_script(picture);
+            replace_file(folder / (picture.name + ".gp"), own);
+            script += own + "reset\n";
+            ++n;
+          }
+      replace_file(all, "cd '" + folder.string() + "'\n" + script);
+    });
     // All at once: starting the program takes longer than drawing.
-    const std::filesystem::path all = folder / "pictures.gp", console = folder / "gnuplot.log";
-    replace_file(all, "cd '" + folder.string() + "'\n" + script);
     Processes processes;
     processes.start({"/usr/bin/env", "gnuplot", all.string()}, console);
     std::vector<Ended> ended;

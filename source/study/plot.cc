@@ -102,7 +102,9 @@ namespace myolines::study
     void require_run(const std::filesystem::path &folder, const std::string &file)
     {
       if (!std::filesystem::is_directory(folder))
-        throw InputError(InputProblem{folder.string(), "there is no such folder", "the output folder of a run or of a study", ""});
+        throw InputError(InputProblem{folder.string(),
+                                      std::filesystem::exists(folder) ? "it is a file, not a folder" : "there is no such folder",
+                                      "the output folder of a run or of a study", ""});
       if (series_in(folder, file).empty())
         throw InputError(InputProblem{folder.string(), file.empty() ? "there is no time series" : "there is no time series " + file,
                                       "the output folder of a run, or one study", "studies are plotted one at a time"});
@@ -144,8 +146,12 @@ namespace myolines::study
       throw InputError(InputProblem{"--file", "a study has one table", "no such option", "name the folder of a run, in cases/"});
     const std::vector<Picture> pictures =
         study ? pictures_of_study(options.folders.front()) : pictures_of_runs(options.folders, options.file);
+    if (std::none_of(pictures.begin(), pictures.end(), has_points))
+      throw InputError(InputProblem{options.folders.front().string(), "there is nothing to draw",
+                                    study ? "a study with numbers in its table: its column \"notes\" says why there are none"
+                                          : "runs that have a table in common, with numbers",
+                                    ""});
     const std::filesystem::path folder = !options.out.empty() ? options.out : one ? options.folders.front() / "pictures" : "pictures";
-    std::filesystem::create_directories(folder);
     out << draw(pictures, folder) << " pictures, as PNG and SVG, are in " << folder.string()
         << "; each NAME.gp is what gnuplot draws one from.\n";
   }

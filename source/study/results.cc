@@ -1,4 +1,5 @@
 #include <myolines/base/error.h>
+#include <myolines/base/names.h>
 #include <myolines/compare/compare.h>
 #include <myolines/muscle3d/formula.h>
 #include <myolines/output/checkpoint.h>
@@ -8,12 +9,37 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace myolines::study
 {
   namespace
   {
+    /// "; nearest: "force [N]"", or nothing if none is near.
+    std::string nearest_among(const std::string &name, const std::vector<std::string> &known)
+    {
+      const std::string nearest = nearest_name(name, known);
+      return nearest.empty() ? "" : "; nearest: \"" + nearest + "\"";
+    }
+
+    std::vector<std::string> files_beside(const std::filesystem::path &file)
+    {
+      std::vector<std::string> names;
+      std::error_code          none; // a folder that cannot be read has no names
+      for (const auto &entry : std::filesystem::directory_iterator(file.parent_path(), none))
+        names.push_back(entry.path().filename().string());
+      return names;
+    }
+
+    /// The part "counts" or "seconds" of a ledger.json; no object if it has none.
+    nlohmann::json part_of_ledger(const Outcome &outcome, const std::string &part)
+    {
+      const auto ledger = nlohmann::json::parse(outcome.ledger, nullptr, /*allow_exceptions*/ false);
+      return ledger.is_object() && ledger.contains(part) ? ledger[part] : nlohmann::json();
+    }
+
     /// The measures of all cases, each file read once.
     class Evaluation
     {
@@ -70,9 +96,11 @@ namespace myolines::study
       {
         const std::optional<CsvTable> &csv = table(file);
         if (!csv)
-          note = file.filename().string() + " is not there";
+          note = std::filesystem::exists(file)
+                     ? file.filename().string() + " is no whole table"
+                     : file.filename().string() + " is not there" + nearest_among(file.filename().string(), files_beside(file));
         else if (!csv->column(column))
-          note = file.filename().string() + " has no column \"" + column + "\"";
+          note = file.filename().string() + " has no column \"" + column + "\"" + nearest_among(column, csv->header);
         else
           return series_of(*csv, column);
         return std::nullopt;
@@ -176,12 +204,32 @@ namespace myolines::study
         return differences_.emplace(which.name, l2_differences(state, *reference_)).first->second;
       }
 
-      Measured of_ledger(const std::string &part, const std::string &key, const Case &which) const
+      /// A run books only what it does: what others have and this one has not is 0. What none has may be misspelt.
+      Measured of_ledger(const std::string &part, const std::string &key, const Case &which)
       {
-        const auto ledger = nlohmann::json::parse(outcomes_.at(which.name).ledger, nullptr, /*allow_exceptions*/ false);
-        if (!ledger.is_object() || !ledger.contains(part))
+        const nlohmann::json booked = part_of_ledger(outcomes_.at(which.name), part);
+        if (!booked.is_object())
           return {{}, "there is no ledger"};
-        return {ledger[part].value(key, 0.), ""};
+        if (booked.contains(key))
+          return {booked[key].get<double>(), ""};
+        const std::vector<std::string> &known = booked_by_any(part);
+        if (std::find(known.begin(), known.end(), key) != known.end())
+          return {0., ""};
+        return {{}, "no case has \"" + key + "\" among the " + part + " of its ledger" + nearest_among(key, known)};
+      }
+
+      /// Names in that part of the ledgers of all cases that are done.
+      const std::vector<std::string> &booked_by_any(const std::string &part)
+      {
+        if (const auto found = booked_.find(part); found != booked_.end())
+          return found->second;
+        std::set<std::string> names;
+        for (const auto &[name, outcome] : outcomes_)
+          if (is_done(name))
+            if (const nlohmann::json booked = part_of_ledger(outcome, part); booked.is_object())
+              for (const auto &entry : booked.items())
+                names.insert(entry.key());
+        return booked_.emplace(part, std::vector<std::string>(names.begin(), names.end())).first->second;
       }
 
       const std::map<std::string, Outcome>                    &outcomes_;
@@ -190,6 +238,7 @@ namespace myolines::study
       std::string                                              current_;     ///< name of the case that is asked
       std::map<std::string, std::vector<FieldDifference>>      differences_; ///< of cases
       std::unique_ptr<const SavedState>                        reference_;
+      std::map<std::string, std::vector<std::string>>          booked_; ///< part of the ledgers -> names
     };
 
     SignalMeasures signal_measures(Evaluation &evaluation, const View &view, const Case &which)

@@ -4,8 +4,11 @@
 #include <myolines/base/names.h>
 #include <myolines/muscle3d/formula.h>
 #include <myolines/scene/numbers.h>
+#include <myolines/study/csv_table.h>
 #include <myolines/study/measures.h>
 #include <myolines/study/study.h>
+
+#include <muParser.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -74,7 +77,26 @@ namespace myolines::study
         {
           node.refuse(parameter, error.what(), "a formula in t, for example \"cos(2*pi*t)\"");
         }
+      mu::Parser parser;
+      parser.DefineConst("pi", dealii::numbers::PI);
+      parser.SetExpr(text);
+      for (const auto &[name, value] : parser.GetUsedVar())
+        if (name != "t")
+          node.refuse(parameter, "\"" + name + "\" is not known: a column is a function of time alone",
+                      "a formula in t, for example \"cos(2*pi*t)\"");
       return text;
+    }
+
+    /// A file that lacks the column is told before the first run, not after the last.
+    std::filesystem::path checked_reference_file(const Node &node, const std::string &column)
+    {
+      const std::filesystem::path   file  = node.file("reference file");
+      const std::optional<CsvTable> table = read_csv(file);
+      if (!table)
+        node.refuse("reference file", file.string() + " is no table",
+                    "comma-separated values, the names of the columns in the first line, every line ended");
+      require(node, "column", column, table->header, "column in the reference file");
+      return file;
     }
 
     Quantity read_column(const Node &node, Quantity quantity)
@@ -90,7 +112,7 @@ namespace myolines::study
       if (node.has("until"))
         quantity.until = node.number("until");
       if (node.has("reference file"))
-        quantity.reference_file = node.file("reference file");
+        quantity.reference_file = checked_reference_file(node, quantity.column);
       if (node.has("reference formula"))
         quantity.reference_formula = checked_formula(node, "reference formula");
       if (quantity.reference_file && quantity.reference_formula)

@@ -93,6 +93,18 @@ namespace
       command("unknown_item", "list integrators \"backwards euler\"", "nearest valid name: \"backward euler\""),
       command("template_of_unknown_system", "template muscle3d", "nearest valid name: \"muscle 3d\""),
       command("template_of_impossible_pair", "template oscillator static", "cannot be without"),
+      command("list_taken_for_a_parameter", "check scene.xml --set time=3", "\"time\" is a list, not a parameter"),
+      command("parameter_taken_for_a_list", "check scene.xml --set system/mass/x=3", "\"mass\" is a parameter, not a list"),
+      command("step_below_rounding", "check scene.xml --set time/step=1e-320", "below the rounding of the times"),
+      command("step_below_rounding_in_a_run", "run scene.xml --set time/step=1e-17", "below the rounding of the times"),
+      command("folder_as_scene", "run .", "it is a folder, not a file"),
+      command("device_as_scene", "run /dev/null", "the file is empty"),
+      command("plot_of_a_file", "plot scene.xml", "it is a file, not a folder"),
+      command("modes_along_nowhere", "modes scene.xml --along nowhere", "there is no such folder"),
+      command("modes_into_nowhere", "modes scene.xml --out nowhere/modes.csv", "a file that can be made and written"),
+      command("no_eigenvalues", "modes scene.xml --along . --number 0", "expected: an integer >= 1"),
+      command("no_jobs", "study scene.xml --jobs 0", "expected: an integer >= 1"),
+      command("resume_of_nothing", "run scene.xml --resume", "started without --resume"),
       command("import_of_nothing", "import flexodeal a.prm b.dat c.dat --out s.xml", "a.prm"),
   };
 
@@ -113,6 +125,24 @@ TEST_P(BadInputs, AreRefused)
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, BadInputs, testing::ValuesIn(bad_inputs), [](const auto &info) { return info.param.name; });
+
+/// A misspelt command is all that is told: not that one is required.
+TEST(BadInput, UnknownCommandsAreToldOnce)
+{
+  const TestFolder folder;
+  const Outcome    outcome = run_program(folder, "chek scene.xml");
+  EXPECT_EQ(outcome.err.rfind("unknown command", 0), 0u) << outcome.err;
+  EXPECT_EQ(outcome.err.find("required"), std::string::npos) << outcome.err;
+}
+
+/// Only `run` has --resume.
+TEST(BadInput, HintsFitTheCommand)
+{
+  const TestFolder folder;
+  const Outcome    outcome = run_program(folder, "compare here nowhere");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err.find("--resume"), std::string::npos) << outcome.err;
+}
 
 TEST(BadInput, TheUnspoiltScenesAreAccepted)
 {

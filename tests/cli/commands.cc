@@ -196,3 +196,15 @@ TEST(Help, IsEverywhere)
       EXPECT_NE(outcome.out.find("Usage:"), std::string::npos) << command;
     }
 }
+
+/// Planning a million steps takes moments; more are not counted.
+TEST(Check, DoesNotPlanWithoutEnd)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", oscillator_scene);
+  const Outcome few = run_program(folder, "check scene.xml --set time/step=0.25 --set time/events=ignore");
+  EXPECT_NE(few.out.find("Steps: 4 from 0 s to 1 s, if none is rejected\n  4 x 0.25 s\n"), std::string::npos) << few.out;
+  const Outcome many = run_program(folder, "check scene.xml --set time/step=1e-9");
+  EXPECT_EQ(many.exit_code, 0) << many.err;
+  EXPECT_NE(many.out.find("Steps: more than 1000000 from 0 s"), std::string::npos) << many.out;
+}

@@ -87,4 +87,24 @@ TEST(Point, WhatCannotBeIsRefused)
   EXPECT_EQ(run_program(folder, "point " + input + "isometric_block.xml --stretch 1 0.5 10").exit_code, 2);
   EXPECT_EQ(run_program(folder, "point " + input + "isometric_block.xml --stretch 0 1 10").exit_code, 2);
   EXPECT_EQ(run_program(folder, "point " + input + "isometric_block.xml --activation 1.5").exit_code, 2);
+  const Outcome both = run_program(folder, "point " + input + "isometric_block.xml --stretch 0 0 1.5");
+  for (const char *condition : {"FROM > 0", "FROM < TO", "an integer in [2, 1000000]"})
+    EXPECT_NE(both.err.find(condition), std::string::npos) << both.err;
+  const Outcome infinite = run_program(folder, "point " + input + "isometric_block.xml --stretch 0.5 1e308 3");
+  EXPECT_EQ(infinite.exit_code, 2);
+  EXPECT_NE(infinite.err.find("is not finite"), std::string::npos) << infinite.err;
+  folder.write("file", "");
+  EXPECT_EQ(run_program(folder, "point " + input + "isometric_block.xml --out file").exit_code, 2);
+}
+
+/// Fewer rates than curves: each once.
+TEST(Point, SurfaceHasEveryRateOnce)
+{
+  const TestFolder folder;
+  const Outcome    outcome = run_program(folder, "point " + input + "isometric_block.xml --out p --stretch 0.9 1.1 3 --strain-rate -1 1 3");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string script = contents(folder / "p/pictures/muscle_surface.gp");
+  const auto        first  = script.find("'strain rate -1'");
+  ASSERT_NE(first, std::string::npos) << script;
+  EXPECT_EQ(script.substr(first + 1, script.find("set terminal svg") - first).find("'strain rate -1'"), std::string::npos);
 }

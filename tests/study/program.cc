@@ -144,6 +144,24 @@ TEST(StudyProgram, MeasuresRatesOfFieldsInSpaceAndInBoth)
   EXPECT_EQ(table->rows[1][*notes], "pressure: the system has no pressure");
 }
 
+/// What was misspelt is told on the terminal, not only in a cell of the table; pictures of nothing are refused.
+TEST(StudyProgram, QuantitiesWithoutAValueAreTold)
+{
+  const StudyFolder folder;
+  const auto        of = [](const std::string &file, const std::string &column) {
+    return section(file + column, parameter("file", file) + parameter("column", column) + parameter("measure", "final"));
+  };
+  folder.write_study(grid("all", listed("step", "time/step", "0.1 | 0.05")),
+                     section("quantities", of("trajectory.csv", "Displacment [m]") + of("trajectry.csv", "Displacement [m]")));
+  const ::Outcome outcome = run_program(folder, "study study.xml --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("nearest: \"Displacement [m]\""), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("nearest: \"trajectory.csv\""), std::string::npos) << outcome.out;
+  const ::Outcome plot = run_program(folder, "plot out");
+  EXPECT_EQ(plot.exit_code, 2);
+  EXPECT_NE(plot.err.find("there is nothing to draw"), std::string::npos) << plot.err;
+}
+
 TEST(StudyProgram, StudiesThatComeAlongAreValid)
 {
   const TestFolder folder;

@@ -1,5 +1,6 @@
 #include "study_files.h"
 
+#include <myolines/base/error.h>
 #include <myolines/study/csv_table.h>
 #include <myolines/study/results.h>
 
@@ -141,4 +142,55 @@ TEST(Results, TablesKeepFailures)
   EXPECT_EQ(table->rows[0], (std::vector<std::string>{"step=0.1", "case", "0.1", "failed", "no, \"really\"", "", "", ""}));
   EXPECT_EQ(table->rows[1], (std::vector<std::string>{"step=0.05", "case", "0.05", "open", "", "", "", ""}));
   EXPECT_EQ(read_csv(folder / "seconds.csv")->rows.size(), 1u);
+}
+
+namespace
+{
+  myolines::study::Outcome done_with(const std::string &name, const std::string &ledger)
+  {
+    myolines::study::Outcome done;
+    done.name   = name;
+    done.status = "done";
+    done.ledger = ledger;
+    return done;
+  }
+} // namespace
+
+/// A count that only other cases have is 0; one that no case has is no number, and its note names the nearest.
+TEST(Results, CountsThatNoCaseHasAreMissing)
+{
+  const StudyFolder folder;
+  const auto        count = [](const std::string &of) { return section(of, parameter("type", "count") + parameter("name", of)); };
+  const Study       study = folder.study(grid("all", listed("step", "time/step", "0.1 | 0.05")),
+                                         section("quantities", count("linear solves") + count("linear solvs")));
+  const auto        cases = expand(study);
+  const auto        rows  = evaluate(study, cases,
+                                     {{cases[0].name, done_with(cases[0].name, R"({"counts": {"linear solves": 7}, "seconds": {}})")},
+                                      {cases[1].name, done_with(cases[1].name, R"({"counts": {"accepted steps": 3}, "seconds": {}})")}},
+                                     folder.path());
+  EXPECT_EQ(rows[0].values[0].value, 7.);
+  EXPECT_EQ(rows[1].values[0].value, 0.);
+  for (const Row &row : rows)
+    {
+      EXPECT_FALSE(row.values[1].value.has_value());
+      EXPECT_NE(row.values[1].note.find("nearest: \"linear solves\""), std::string::npos) << row.values[1].note;
+    }
+}
+
+/// A column is a function of time alone, and a reference file must have it.
+TEST(Results, ReferencesThatCannotBeAreRefusedAtReading)
+{
+  const StudyFolder folder;
+  const std::string one_axis = grid("all", listed("step", "time/step", "0.1 | 0.05"));
+  const auto        with     = [](const std::string &reference, const std::string &text) {
+    return section("quantities", section("e", parameter("file", "trajectory.csv") + parameter("column", "Displacement [m]") +
+                                                             parameter("measure", "final error") + parameter(reference, text)));
+  };
+  folder.write("good.csv", "Time [s],Displacement [m]\n0,1\n");
+  folder.write("bad.csv", "Time [s],Displacement [mm]\n0,1\n");
+  EXPECT_NO_THROW(folder.study(one_axis, with("reference formula", "cos(pi*t)")));
+  EXPECT_NO_THROW(folder.study(one_axis, with("reference file", "good.csv")));
+  for (const char *formula : {"x", "cos(t) + y", "t*z"})
+    EXPECT_THROW(folder.study(one_axis, with("reference formula", formula)), myolines::InputError) << formula;
+  EXPECT_THROW(folder.study(one_axis, with("reference file", "bad.csv")), myolines::InputError);
 }

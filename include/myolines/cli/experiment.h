@@ -41,11 +41,26 @@ namespace myolines
     /// Advances to the end; keeps the run in @p folder. A signal for which @p stop_signal returns a number ends it (Interrupted).
     void run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop_signal);
 
-    /// Sizes of the steps as planned [s], with landings on events, if every step succeeds; none if they are chosen by error.
-    std::optional<std::vector<double>> planned_steps() const;
+    /// Steps as planned, with landings on events, if every step succeeds.
+    struct StepPlan
+    {
+      struct Run
+      {
+        std::size_t count; ///< of steps of one size, up to rounding
+        double      size;  ///< [s]
+      };
+      static constexpr std::size_t limit = 1000000;
+
+      std::vector<Run> runs;            ///< in their order
+      std::size_t      n_steps  = 0;    ///< in these runs
+      bool             complete = true; ///< false: there are more steps than the limit, of which these are the first
+    };
+    /// None if steps are chosen by error.
+    std::optional<StepPlan> planned_steps() const;
 
   private:
     void                  refuse_ignored_inertia() const;
+    void                  refuse_tiny_steps() const;
     void                  make_method();
     TimeMethod           &time_method() const;
     std::optional<double> first_velocity_jump() const;

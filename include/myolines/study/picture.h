@@ -34,7 +34,10 @@ namespace myolines::study
   /// without colours.
   std::string gnuplot_script(const Picture &picture);
 
-  /// Writes NAME.gp, NAME.png and NAME.svg of each picture that has points to @p folder; how many. @throws InputError if there is no
-  /// gnuplot, std::runtime_error with its words if it fails.
+  /// Whether @p picture or one of its panels has a point that can be drawn: a finite one, positive along logarithmic axes.
+  bool has_points(const Picture &picture);
+
+  /// Writes NAME.gp, NAME.png and NAME.svg of each picture that has points to @p folder, which is made if need be; how many.
+  /// @throws InputError if the folder cannot be written or there is no gnuplot, std::runtime_error with its words if it fails.
   std::size_t draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder);
 } // namespace myolines::study
