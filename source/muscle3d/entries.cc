@@ -84,12 +84,18 @@ namespace myolines
     const std::vector<double> kinks = drive.kinks(-1e9, 1e9);
     times.insert(times.end(), kinks.begin(), kinks.end());
     times.insert(times.end(), {1e9, -1e9});
+    double worst = 0, when = 0;
     for (const double t : times)
-      if (const double value = drive.value(t, Side::right); !range.contains(value))
+      if (const double value = drive.value(t, Side::right); !range.contains(value) && !(std::abs(value) <= std::abs(worst)))
         {
-          std::ostringstream what;
-          what << "the " << quantity << " is " << value << " at t = " << t << " s";
-          node.refuse("type", what.str(), quantity + " " + range.text() + " at all times");
+          worst = value;
+          when  = t;
         }
+    if (worst != 0)
+      {
+        std::ostringstream what;
+        what << "the " << quantity << " is " << worst << " at t = " << when << " s";
+        node.refuse("type", what.str(), quantity + " " + range.text() + " at all times");
+      }
   }
 } // namespace myolines
