@@ -46,7 +46,8 @@ namespace myolines
               motions_.back().formulas.emplace_back(*text);
         }
     for (const Traction &traction : tractions_)
-      traction.condition->refuse_empty(area(space, *traction.condition, discretisation.element.n_points_1d));
+      if (traction.condition->type != BoundaryCondition::Type::isotonic) // which takes the whole face
+        traction.condition->refuse_empty(area(space, *traction.condition, discretisation.element.n_points_1d));
     if (parameters.body_force)
       body_force_ = std::make_unique<VectorFormula>(*parameters.body_force);
   }

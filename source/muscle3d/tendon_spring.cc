@@ -23,50 +23,48 @@ namespace myolines
       const double stiffness_;
     };
 
-    class TendinousSpring : public TendonSpring
+    struct TendinousLaw
     {
-    public:
-      TendinousSpring(const double force, const double length)
-        : force_(force)
-        , length_(length)
-      {}
-      double force(const double s) const override { return force_ * curves::tendon(1 + s / length_).value; }
-      double slope(const double s) const override { return force_ / length_ * curves::tendon(1 + s / length_).slope; }
+      static auto curve(const double stretch) { return curves::tendon(stretch); }
 
       /// Simpson's rule, exact between the knots of the curve.
-      double energy(const double s) const override
+      static double energy(const double stretch)
       {
-        const double end  = 1 + s / length_;
-        const auto   from = [&](const double begin, const double stop) {
+        const auto from = [](const double begin, const double stop) {
           const double middle = (begin + stop) / 2;
           return (stop - begin) / 6 * (curves::tendon(begin).value + 4 * curves::tendon(middle).value + curves::tendon(stop).value);
         };
-        if (end < 1)
-          return -force_ * length_ * 0.01 * (1 - end * end) / 2; // sT = 0.01 stretch there
+        if (stretch < 1)
+          return -0.01 * (1 - stretch * stretch) / 2; // sT = 0.01 stretch there
         double sum = 0, begin = 1;
-        for (const double knot : {1.01, 1.02, 1.15, end})
-          if (const double stop = std::min(knot, end); stop > begin)
+        for (const double knot : {1.01, 1.02, 1.15, stretch})
+          if (const double stop = std::min(knot, stretch); stop > begin)
             {
               sum += from(begin, stop);
               begin = stop;
             }
-        return force_ * length_ * sum;
+        return sum;
       }
-
-    private:
-      const double force_, length_;
     };
 
-    class HillSpring : public TendonSpring
+    struct HillLaw
+    {
+      static auto   curve(const double stretch) { return hill::tendon(stretch); }
+      static double energy(const double stretch) { return hill::tendon_energy(stretch); }
+    };
+
+    /// F0 f(1 + s/L) with the curve f of a law, and its integral from slack.
+    template <typename Law>
+    class CurvedSpring : public TendonSpring
     {
     public:
-      HillSpring(const double force, const double length)
+      CurvedSpring(const double force, const double length)
         : force_(force)
         , length_(length)
       {}
-      double force(const double s) const override { return force_ * hill::tendon(1 + s / length_).value; }
-      double slope(const double s) const override { return force_ / length_ * hill::tendon(1 + s / length_).slope; }
-      double energy(const double s) const override { return force_ * length_ * hill::tendon_energy(1 + s / length_); }
+      double force(const double s) const override { return force_ * Law::curve(1 + s / length_).value; }
+      double slope(const double s) const override { return force_ / length_ * Law::curve(1 + s / length_).slope; }
+      double energy(const double s) const override { return force_ * length_ * Law::energy(1 + s / length_); }
 
     private:
       const double force_, length_;
@@ -91,14 +89,14 @@ namespace myolines
 
   std::unique_ptr<TendonSpring> make_hill_spring(const double force, const double slack_length)
   {
-    return std::make_unique<HillSpring>(force, slack_length);
+    return std::make_unique<CurvedSpring<HillLaw>>(force, slack_length);
   }
 
   std::unique_ptr<TendonSpring> make_stop_spring(const double stiffness) { return std::make_unique<StopSpring>(stiffness); }
 
   std::unique_ptr<TendonSpring> make_tendinous_spring(const double force, const double slack_length)
   {
-    return std::make_unique<TendinousSpring>(force, slack_length);
+    return std::make_unique<CurvedSpring<TendinousLaw>>(force, slack_length);
   }
 
   scene::Schema tendon_spring_schema()
