@@ -43,6 +43,12 @@ namespace myolines
     return best;
   }
 
+  std::string nearest_hint(const std::string &name, const std::vector<std::string> &candidates)
+  {
+    const std::string nearest = nearest_name(name, candidates);
+    return nearest.empty() ? "" : "nearest: \"" + nearest + "\"";
+  }
+
   std::string join(const std::vector<std::string> &words, const std::string &separator)
   {
     std::string text;

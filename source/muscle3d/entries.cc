@@ -48,11 +48,7 @@ namespace myolines
     const std::string name  = node.text(parameter);
     const auto        found = std::find(faces.begin(), faces.end(), name);
     if (found == faces.end())
-      {
-        const std::string nearest = nearest_name(name, faces);
-        node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces),
-                    nearest.empty() ? "" : "nearest: \"" + nearest + "\"");
-      }
+      node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces), nearest_hint(name, faces));
     return static_cast<unsigned int>(found - faces.begin());
   }
 

@@ -123,7 +123,7 @@ namespace myolines
       if (group.name.empty() && group.tag == 0)
         return muscle_id;
       refuse("the physical volume " + (group.name.empty() ? std::to_string(group.tag) : "\"" + group.name + "\"") + " is no tissue",
-             "one of " + join(names) + ", or the number 1, 2 or 3", "nearest: \"" + nearest_name(group.name, names) + "\"");
+             "one of " + join(names) + ", or the number 1, 2 or 3", nearest_hint(group.name, names));
     }
 
     /// Smallest determinant of the map at the corners of a cell over the largest.

@@ -26,7 +26,7 @@ namespace myolines
       };
       for (const std::string &name : csv.header)
         if (std::find(known.begin(), known.end(), name) == known.end())
-          refuse("unknown column \"" + name + "\"", "columns of " + join(known), "nearest: \"" + nearest_name(name, known) + "\"");
+          refuse("unknown column \"" + name + "\"", "columns of " + join(known), nearest_hint(name, known));
       for (const char *axis : {"x", "y", "z"})
         if (!csv.column(std::string("qp_") + axis))
           refuse(std::string("the column qp_") + axis + " is missing", "qp_x, qp_y, qp_z [m]");

@@ -16,11 +16,8 @@ namespace myolines
       {
         const std::string name = scene::trimmed(piece);
         if (std::find(known.begin(), known.end(), name) == known.end())
-          {
-            const std::string nearest = nearest_name(name, known);
-            list.refuse("what", "there is no " + kind + " \"" + name + "\"", "names separated by commas, of: " + join(known),
-                        nearest.empty() ? "" : "nearest: \"" + nearest + "\"");
-          }
+          list.refuse("what", "there is no " + kind + " \"" + name + "\"", "names separated by commas, of: " + join(known),
+                      nearest_hint(name, known));
         if (std::find(names.begin(), names.end(), name) == names.end())
           names.push_back(name);
       }

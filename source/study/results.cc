@@ -20,8 +20,8 @@ namespace myolines::study
     /// "; nearest: "force [N]"", or nothing if none is near.
     std::string nearest_among(const std::string &name, const std::vector<std::string> &known)
     {
-      const std::string nearest = nearest_name(name, known);
-      return nearest.empty() ? "" : "; nearest: \"" + nearest + "\"";
+      const std::string hint = nearest_hint(name, known);
+      return hint.empty() ? "" : "; " + hint;
     }
 
     std::vector<std::string> files_beside(const std::filesystem::path &file)

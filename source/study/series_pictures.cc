@@ -126,11 +126,10 @@ namespace myolines::study
         const std::string              label  = equals == std::string::npos ? "" : scene::trimmed(choice.substr(equals + 1));
         const std::vector<std::string> axes = study.axis_names(), labels = labels_of(study, axis);
         if (!contains(axes, axis))
-          node.refuse("of", "there is no axis \"" + axis + "\"", "axis=label, with an axis out of " + join(axes),
-                      "nearest: \"" + nearest_name(axis, axes) + "\"");
+          node.refuse("of", "there is no axis \"" + axis + "\"", "axis=label, with an axis out of " + join(axes), nearest_hint(axis, axes));
         if (!contains(labels, label))
           node.refuse("of", "the axis \"" + axis + "\" has no point \"" + label + "\"", "one of " + join(labels),
-                      "nearest: \"" + nearest_name(label, labels) + "\"");
+                      nearest_hint(label, labels));
         picture.of[axis].push_back(label);
       }
     picture.logarithmic = node.boolean("logarithmic");

@@ -26,6 +26,8 @@ namespace myolines
       EXPECT_EQ(nearest_name("lenght", names), "length");
       EXPECT_EQ(nearest_name("refinment", names), "refinement");
       EXPECT_EQ(nearest_name("colour", names), "");
+      EXPECT_EQ(nearest_hint("lenght", names), "nearest: \"length\"");
+      EXPECT_EQ(nearest_hint("colour", names), "");
       EXPECT_EQ(join(names), "length, width, height, refinement");
     }
 

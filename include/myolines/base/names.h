@@ -9,6 +9,9 @@ namespace myolines
   /// (more than half of the name would have to change).
   std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
 
+  /// The hint "nearest: "b"" of a message, or "" if none is near.
+  std::string nearest_hint(const std::string &name, const std::vector<std::string> &candidates);
+
   /// "a, b, c".
   std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
 
