@@ -55,7 +55,9 @@ namespace myolines
   {
     add_drives(system);
     Schema region("A part of the muscle with an activation, or excitation, of its own; none: it stays passive.");
-    region.text("where", std::nullopt, "Formula of x, y, z [m]: the region is where it is positive, e.g. \"0.015-x\" or \"x<0.015\".");
+    region.text(
+        "where", std::nullopt,
+        "Formula of x, y, z [m] and volume (its number in Gmsh): the region is where it is positive, e.g. \"0.015-x\" or \"x<0.015\".");
     add_drives(region);
     system.optional_section(
         "activation regions",
@@ -73,7 +75,7 @@ namespace myolines
         if (p.regions.size() + 1 == max_regions)
           regions.refuse(region.name(), "is one region too many", "at most " + std::to_string(max_regions - 1) + " regions");
         p.regions.push_back({region.name(), read_drive(region)});
-        p.fields.regions.push_back(read_formula(region, "where"));
+        p.fields.regions.push_back(read_formula(region, "where", "volume"));
       }
   }
 

@@ -11,14 +11,19 @@ namespace myolines
   {
     using scene::Node;
 
-    std::string formula_or_none(const Node &node, const std::string &name) { return node.has(name) ? read_formula(node, name) : ""; }
+    std::string formula_or_none(const Node &node, const std::string &name)
+    {
+      return node.has(name) ? read_formula(node, name, "volume") : "";
+    }
 
     std::string or_zero(const std::string &text) { return text.empty() ? "0" : text; }
   } // namespace
 
   scene::Schema fields_schema()
   {
-    return scene::Schema("What varies within the body, from formulas of the reference position x, y, z [m] or from a table.")
+    return scene::Schema(
+               "What varies within the body, from formulas of the reference position x, y, z [m] and of volume (the number of the physical "
+               "volume in Gmsh, 0 in other bodies), or from a table.")
         .optional_text("maximum isometric stress", "sigma0 of the muscle fibres [Pa], a formula.")
         .optional_text("fat fraction",
                        "Fat in the muscle [-], a formula with values in [0, 1]; the law is that of tissues/muscle/fat or its default.")
@@ -65,21 +70,24 @@ namespace myolines
       return;
     const std::array<std::string, 3> scalars{{or_zero(fields.stress), or_zero(fields.fat), or_zero(fields.activation_scale)}};
     const std::array<std::string, 3> others{{or_zero(fields.matrix), or_zero(fields.tissue), "0"}};
-    auto                             formulas = std::make_shared<Formulas>(Formulas{VectorFormula(scalars), VectorFormula(others), {}, {}});
+    const char *const                fourth = "volume";
+    auto formulas = std::make_shared<Formulas>(Formulas{VectorFormula(scalars, fourth), VectorFormula(others, fourth), {}, {}});
     if (!fields.direction[0].empty())
-      formulas->direction.emplace(fields.direction);
+      formulas->direction.emplace(fields.direction, fourth);
     for (const std::string &region : fields.regions)
-      formulas->regions.emplace_back(std::array<std::string, 3>{{region, "0", "0"}});
+      formulas->regions.emplace_back(std::array<std::string, 3>{{region, "0", "0"}}, fourth);
     formulas_ = formulas;
   }
 
-  MaterialField::AtPoint MaterialField::at(const dealii::Point<3> &x, unsigned int material_id,
+  MaterialField::AtPoint MaterialField::at(const dealii::Point<3> &x, const CellId cell,
                                            const std::optional<std::array<double, 3>> &along) const
   {
-    std::string problem;
+    const double volume      = cell.volume;
+    unsigned int material_id = cell.tissue;
+    std::string  problem;
     if (!fields_.tissue.empty())
       {
-        const double id = formulas_->others(1, x, 0), nearest = std::round(id);
+        const double id = formulas_->others(1, x, volume), nearest = std::round(id);
         if (std::abs(id - nearest) < 1e-9 && nearest > 0 && tissues_.count(static_cast<unsigned int>(nearest)) > 0)
           material_id = static_cast<unsigned int>(nearest);
         else
@@ -98,21 +106,21 @@ namespace myolines
       {
         const Formulas &formulas = *formulas_;
         if (!fields_.stress.empty())
-          tissue.fibre.sigma0 = formulas.scalars(0, x, 0);
+          tissue.fibre.sigma0 = formulas.scalars(0, x, volume);
         if (!fields_.fat.empty())
-          tissue.fat.fraction = formulas.scalars(1, x, 0);
+          tissue.fat.fraction = formulas.scalars(1, x, volume);
         if (!fields_.activation_scale.empty())
-          activation_scale = formulas.scalars(2, x, 0);
+          activation_scale = formulas.scalars(2, x, volume);
         if (!fields_.matrix.empty())
-          tissue.matrix.value().fraction = formulas.others(0, x, 0);
+          tissue.matrix.value().fraction = formulas.others(0, x, volume);
         if (formulas.direction)
           {
             const VectorFormula &a = *formulas.direction;
-            tissue.fibre.direction = unit_vector({{a(0, x, 0), a(1, x, 0), a(2, x, 0)}}).value_or(no_direction());
+            tissue.fibre.direction = unit_vector({{a(0, x, volume), a(1, x, volume), a(2, x, volume)}}).value_or(no_direction());
           }
         for (unsigned int r = 0; r < formulas.regions.size(); ++r)
           {
-            const double where = formulas.regions[r](0, x, 0);
+            const double where = formulas.regions[r](0, x, volume);
             if (std::isnan(where))
               problem = "the formula of an activation region is not a number";
             if (where > 0)

@@ -1,9 +1,11 @@
 #include <myolines/base/error.h>
+#include <myolines/base/names.h>
 #include <myolines/muscle3d/discretisation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -223,6 +225,17 @@ namespace myolines
       node.rows = solved;
       return "";
     }
+
+    /// The names of the conditions on motion that meet at a node.
+    std::string names_at(const global_dof_index node, const std::vector<BoundaryCondition> &conditions, const NodeSpace &space)
+    {
+      std::vector<std::string> names;
+      for (const BoundaryCondition &condition : conditions)
+        if (condition.prescribes_motion() || condition.constrains())
+          if (const auto &on_face = space.face_nodes(condition.face); std::find(on_face.begin(), on_face.end(), node) != on_face.end())
+            names.push_back("\"" + condition.name + "\"");
+      return join(names, " and ");
+    }
   } // namespace
 
   BoundaryConstraints::BoundaryConstraints(const std::vector<BoundaryCondition> &conditions, const NodeSpace &space)
@@ -234,8 +247,8 @@ namespace myolines
       for (unsigned int c = 0; c < 3; ++c)
         if (node.prescribed[c])
           lines.add_line(3 * number + c);
-      if (const std::string found = solve(node); !found.empty())
-        problem = found;
+      if (const std::string found = solve(node); !found.empty() && problem.empty())
+        problem = "of " + names_at(number, conditions, space) + " one " + found;
       for (const Row &row : node.rows)
         {
           std::map<global_dof_index, double> others;
@@ -267,7 +280,7 @@ namespace myolines
 
     for (const std::string &told : dealii::Utilities::MPI::all_gather(space.communicator(), problem))
       if (!told.empty())
-        throw InputError(InputProblem{"system/boundary", "a condition " + told, "conditions that agree on the edges where faces meet",
+        throw InputError(InputProblem{"system/boundary", told, "conditions that agree on the edges where faces meet",
                                       "leave out components of one of them, or \"across\" = \"free\""});
   }
 } // namespace myolines

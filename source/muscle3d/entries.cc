@@ -15,31 +15,31 @@ namespace myolines
 
   const std::array<const char *, 3> axes{{"x", "y", "z"}};
 
-  void add_formulas(Schema &schema, const std::string &prefix, const std::string &what)
+  void add_formulas(Schema &schema, const std::string &prefix, const std::string &what, const std::string &fourth)
   {
     for (const char *axis : axes)
-      schema.text(prefix + axis, "0", what + ", " + axis + " component: a formula of x, y, z [m] and t [s].");
+      schema.text(prefix + axis, "0", what + ", " + axis + " component: a formula of x, y, z [m] and " + fourth + ".");
   }
 
-  std::string read_formula(const Node &node, const std::string &parameter, const std::string &variables)
+  std::string read_formula(const Node &node, const std::string &parameter, const std::string &fourth)
   {
     const std::string text = node.text(parameter);
     try
       {
-        const VectorFormula formula(std::array<std::string, 3>{{text, "0", "0"}});
+        const VectorFormula formula(std::array<std::string, 3>{{text, "0", "0"}}, fourth);
       }
     catch (const std::invalid_argument &error)
       {
-        node.refuse(parameter, error.what(), "one expression of " + variables + ", e.g. \"1+0.1*sin(2*pi*x)\"");
+        node.refuse(parameter, error.what(), "one expression of x, y, z, " + fourth + " and pi, e.g. \"1+0.1*sin(2*pi*x)\"");
       }
     return text;
   }
 
-  std::array<std::string, 3> read_formulas(const Node &node, const std::string &prefix)
+  std::array<std::string, 3> read_formulas(const Node &node, const std::string &prefix, const std::string &fourth)
   {
     std::array<std::string, 3> text;
     for (unsigned int c = 0; c < 3; ++c)
-      text[c] = read_formula(node, prefix + axes[c], "x, y, z, t and pi");
+      text[c] = read_formula(node, prefix + axes[c], fourth);
     return text;
   }
 

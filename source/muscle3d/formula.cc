@@ -9,10 +9,10 @@ namespace myolines
   struct VectorFormula::Parsers
   {
     std::array<mu::Parser, 3> parser;
-    double                    x = 0, y = 0, z = 0, t = 0;
+    double                    x = 0, y = 0, z = 0, fourth = 0;
   };
 
-  VectorFormula::VectorFormula(const std::array<std::string, 3> &text)
+  VectorFormula::VectorFormula(const std::array<std::string, 3> &text, const std::string &fourth)
     : text_(text)
     , parsers_(std::make_unique<Parsers>())
   {
@@ -23,7 +23,7 @@ namespace myolines
           parser.DefineVar("x", &parsers_->x);
           parser.DefineVar("y", &parsers_->y);
           parser.DefineVar("z", &parsers_->z);
-          parser.DefineVar("t", &parsers_->t);
+          parser.DefineVar(fourth, &parsers_->fourth);
           parser.DefineConst("pi", dealii::numbers::PI);
           parser.SetExpr(text[c]);
           parser.Eval();
@@ -35,19 +35,19 @@ namespace myolines
           throw std::invalid_argument("\"" + text[c] + "\" is not a formula: " + error.GetMsg());
         }
     // An assignment would have changed a variable that the others read.
-    if (parsers_->x != 0 || parsers_->y != 0 || parsers_->z != 0 || parsers_->t != 0)
-      throw std::invalid_argument("a formula assigns to x, y, z or t");
+    if (parsers_->x != 0 || parsers_->y != 0 || parsers_->z != 0 || parsers_->fourth != 0)
+      throw std::invalid_argument("a formula assigns to x, y, z or " + fourth);
   }
 
   VectorFormula::~VectorFormula()                         = default;
   VectorFormula::VectorFormula(VectorFormula &&) noexcept = default;
 
-  double VectorFormula::operator()(const unsigned int component, const dealii::Point<3> &x, const double t) const
+  double VectorFormula::operator()(const unsigned int component, const dealii::Point<3> &x, const double fourth) const
   {
-    parsers_->x = x[0];
-    parsers_->y = x[1];
-    parsers_->z = x[2];
-    parsers_->t = t;
+    parsers_->x      = x[0];
+    parsers_->y      = x[1];
+    parsers_->z      = x[2];
+    parsers_->fourth = fourth;
     return parsers_->parser[component].Eval();
   }
 } // namespace myolines

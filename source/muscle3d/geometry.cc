@@ -124,9 +124,8 @@ namespace myolines
 
     Schema gmsh_schema()
     {
-      Schema schema(
-          "A hexahedral mesh from a file that Gmsh reads: physical volumes are tissues by name (or 1 muscle, 2 aponeurosis, 3 tendon), "
-          "physical surfaces name the faces. The line of action is x.");
+      Schema schema("A hexahedral mesh from a file that Gmsh reads: physical volumes are tissues by name, perhaps with more words behind "
+                    "it (or 1 muscle, 2 aponeurosis, 3 tendon), physical surfaces name the faces. The line of action is x.");
       schema.file("file", "Mesh, any version and encoding of Gmsh.")
           .number("scale", 1, "-", Range::positive(), "Factor of the coordinates: 0.001 for a mesh in millimetres.")
           .integer("refinement", 0, Range::closed(0, 6), "Each refinement halves the cells in all directions.");

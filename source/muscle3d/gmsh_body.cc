@@ -1,10 +1,10 @@
+#include "hexahedra.h"
+
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/materials/tissue.h>
+#include <myolines/muscle3d/cell_id.h>
 #include <myolines/muscle3d/gmsh_body.h>
-
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,7 @@ namespace myolines
   namespace
   {
     using Point = dealii::Point<3>;
+    using Face  = Quadrilateral;
 
     struct Refusal
     {
@@ -116,70 +117,24 @@ namespace myolines
       std::vector<std::string> names;
       for (const TissueKind &kind : tissue_kinds())
         {
-          if (kind.name == group.name || (group.name.empty() && static_cast<int>(kind.id) == group.tag))
+          const bool named = group.name == kind.name || group.name.rfind(kind.name + " ", 0) == 0;
+          if (named || (group.name.empty() && static_cast<int>(kind.id) == group.tag))
             return kind.id;
           names.push_back(kind.name);
         }
       if (group.name.empty() && group.tag == 0)
         return muscle_id;
       refuse("the physical volume " + (group.name.empty() ? std::to_string(group.tag) : "\"" + group.name + "\"") + " is no tissue",
-             "one of " + join(names) + ", or the number 1, 2 or 3", nearest_hint(group.name, names));
+             "one of " + join(names) + ", perhaps with a space and more words after it, or the number 1, 2 or 3",
+             nearest_hint(group.name, names));
     }
 
-    /// Smallest determinant of the map at the corners of a cell over the largest.
-    double corner_quality(const std::vector<Point> &x, const unsigned int *v)
+    CellId cell_id(const Group &group, const Refusal &refuse)
     {
-      double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
-      for (unsigned int i = 0; i < 8; ++i)
-        {
-          dealii::Tensor<1, 3> edge[3];
-          for (unsigned int d = 0; d < 3; ++d)
-            edge[d] = x[v[i | (1u << d)]] - x[v[i & ~(1u << d)]];
-          const double J = edge[0] * dealii::cross_product_3d(edge[1], edge[2]);
-          low            = std::min(low, J);
-          high           = std::max(high, J);
-        }
-      return high > 0 ? low / high : -1;
-    }
-
-    /// Volume of the trilinear image of the unit cube.
-    double cell_volume(const std::vector<Point> &x, const unsigned int *v)
-    {
-      double                  volume = 0;
-      const dealii::QGauss<3> rule(2);
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        {
-          dealii::Tensor<2, 3> J;
-          for (unsigned int i = 0; i < 8; ++i)
-            J += outer_product(x[v[i]], dealii::GeometryInfo<3>::d_linear_shape_function_gradient(rule.point(q), i));
-          volume += rule.weight(q) * determinant(J);
-        }
-      return volume;
-    }
-
-    using Face = std::array<unsigned int, 4>;
-
-    /// Vertices of the faces that only one cell has, in the order of deal.II.
-    std::vector<Face> boundary_faces(const std::vector<dealii::CellData<3>> &cells)
-    {
-      std::map<Face, std::pair<Face, int>> count;
-      for (const auto &cell : cells)
-        for (unsigned int f = 0; f < 6; ++f)
-          {
-            Face face;
-            for (unsigned int i = 0; i < 4; ++i)
-              face[i] = cell.vertices[dealii::GeometryInfo<3>::face_to_cell_vertices(f, i)];
-            Face sorted = face;
-            std::sort(sorted.begin(), sorted.end());
-            auto &entry = count[sorted];
-            entry.first = face;
-            ++entry.second;
-          }
-      std::vector<Face> faces;
-      for (const auto &[sorted, entry] : count)
-        if (entry.second == 1)
-          faces.push_back(entry.first);
-      return faces;
+      if (group.tag >= static_cast<int>(CellId::max_volumes))
+        refuse("the physical volume " + std::to_string(group.tag) + " has too large a number",
+               "at most " + std::to_string(CellId::max_volumes - 1));
+      return {tissue_of(group, refuse), static_cast<unsigned int>(group.tag)};
     }
 
     /// Vertices by place, to find what coincides within a millionth of the body.
@@ -234,17 +189,12 @@ namespace myolines
       void read_cells()
       {
         for (const Group &group : groups(3))
-          for (const int entity : group.entities)
-            if (const std::vector<std::size_t> cell_nodes = elements(3, entity, 5, refuse_); !cell_nodes.empty())
-              {
-                const unsigned int id = tissue_of(group, refuse_);
-                for (std::size_t first = 0; first < cell_nodes.size(); first += 8)
-                  add_cell(&cell_nodes[first], id);
-              }
+          read_volume(group);
         if (body_.cells.empty())
           refuse_("the mesh has no cells", "hexahedra of 8 nodes", "in Gmsh: mesh in 3D and save all or the physical volumes");
         for (const TissueKind &kind : tissue_kinds())
-          if (const auto n = std::count_if(body_.cells.begin(), body_.cells.end(), [&](const auto &c) { return c.material_id == kind.id; });
+          if (const auto n = std::count_if(body_.cells.begin(), body_.cells.end(),
+                                           [&](const auto &c) { return CellId::of(c.material_id).tissue == kind.id; });
               n > 0)
             {
               body_.tissues.push_back(kind.name);
@@ -294,6 +244,21 @@ namespace myolines
       {
         std::sort(face.begin(), face.end());
         return face;
+      }
+
+      void read_volume(const Group &group)
+      {
+        const std::size_t before = body_.cells.size();
+        for (const int entity : group.entities)
+          if (const std::vector<std::size_t> cell_nodes = elements(3, entity, 5, refuse_); !cell_nodes.empty())
+            {
+              const CellId id = cell_id(group, refuse_);
+              for (std::size_t first = 0; first < cell_nodes.size(); first += 8)
+                add_cell(&cell_nodes[first], id.material_id());
+            }
+        if (const std::size_t n = body_.cells.size() - before; n > 0 && group.tag != 0)
+          body_.report.push_back(std::to_string(n) + " cells in volume " + std::to_string(group.tag) +
+                                 (group.name.empty() ? "" : ", \"" + group.name + "\""));
       }
 
       /// Only nodes of cells become vertices.
@@ -376,7 +341,7 @@ namespace myolines
     Reader        reader(*this, scale, refuse);
     reader.read_cells();
     reader.read_box();
-    const std::vector<Face> outside = boundary_faces(cells);
+    const std::vector<Face> outside = outer_faces(cells);
     refuse_hanging_nodes(*this, outside, refuse);
     reader.read_faces(outside);
   }

@@ -38,7 +38,7 @@ namespace myolines
           .number("y", 0, "-", Range::any(), "y component.")
           .number("z", 0, "-", Range::any(), "z component.");
       Schema formula("a0 along a vector that varies in space, normalised point by point.");
-      add_formulas(formula, "", "Direction");
+      add_formulas(formula, "", "Direction", "volume (the number of the physical volume in Gmsh)");
       Schema laplace(
           "a0 along the gradient of the solution of Laplace's equation between two faces: fibres run from face to face and along "
           "all others, Choi and Blemker (2013).");
@@ -166,7 +166,7 @@ namespace myolines
     if (system.has("fields"))
       p.fields = read_fields(system.section("fields"));
     if (system.section("fibres").text("type") == "formula")
-      p.fields.direction = read_formulas(system.section("fibres"), "");
+      p.fields.direction = read_formulas(system.section("fibres"), "", "volume");
     if (system.section("fibres").text("type") == "laplace")
       p.fields.laplace = read_laplace(system.section("fibres"), p.geometry);
     read_tissues(system, p);

@@ -69,10 +69,10 @@ namespace myolines
     const BodyFields &fields = parameters.fields;
     points_of_region_.resize(1 + fields.regions.size());
     const MaterialField           field(fields, parameters.tissues);
-    std::map<unsigned int, Batch> uniform; // by material id
+    std::map<unsigned int, Batch> uniform; // by tissue
     for (unsigned int b = 0; b < batches.n_batches(); ++b)
       {
-        const unsigned int id = batches.cell(b, 0)->material_id();
+        const unsigned int id = CellId::of(batches.cell(b, 0)->material_id()).tissue;
         if (fields.of_all_tissues() || (fields.within_muscle() && id == muscle_id))
           add_field(field, batches, element, b, gradients.get());
         else
@@ -108,7 +108,7 @@ namespace myolines
             std::optional<std::array<double, 3>> along;
             if (gradients != nullptr)
               along = gradients->at(q);
-            const auto [m, distance, problem] = field.at(x, cell->material_id(), along);
+            const auto [m, distance, problem] = field.at(x, CellId::of(cell->material_id()), along);
             if (problem_.empty())
               problem_ = problem.empty() ? what_is_wrong(m, x) : problem + " at " + text_of(x);
             if (problem_.empty() && distance > cell->diameter())

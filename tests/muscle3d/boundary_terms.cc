@@ -260,7 +260,18 @@ namespace myolines
       moved.components       = {{true, true, true}};
       moved.reference_length = 1;
       moved.strain           = std::make_shared<test::ConstantDrive>(0.);
-      EXPECT_THROW(Muscle3dSystem(parameters(2, {moved, condition(Type::symmetry, 1)}), MPI_COMM_WORLD, ledger), InputError);
+      Condition mirror       = condition(Type::symmetry, 1);
+      moved.name             = "lengthening";
+      mirror.name            = "mirror";
+      try
+        {
+          Muscle3dSystem(parameters(2, {moved, mirror}), MPI_COMM_WORLD, ledger);
+          ADD_FAILURE() << "moves across a mirror";
+        }
+      catch (const InputError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find("\"lengthening\" and \"mirror\""), std::string::npos) << error.what();
+        }
       EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {moved, condition(Type::symmetry, 4)}), MPI_COMM_WORLD, ledger));
 
       Muscle3dSystem bent(parameters(2, {}), MPI_COMM_WORLD, ledger);

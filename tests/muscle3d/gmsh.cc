@@ -25,8 +25,9 @@ namespace myolines
       }
       ~Gmsh() override { std::filesystem::remove_all(folder_); }
 
-      /// Two boxes on top of each other, muscle below and tendon above, by Gmsh itself.
-      std::filesystem::path two_boxes(const double version, const bool binary) const
+      /// Two boxes on top of each other, 8 mm of volume 1 below and 4 mm of volume 2 above, by Gmsh itself.
+      std::filesystem::path two_boxes(const double version, const bool binary, const std::string &lower_name = "muscle",
+                                      const std::string &upper_name = "tendon") const
       {
         gmsh::initialize(0, nullptr, false);
         gmsh::option::setNumber("General.Terminal", 0);
@@ -48,8 +49,8 @@ namespace myolines
         const auto group = [](const int dimension, const int entity, const std::string &name) {
           gmsh::model::setPhysicalName(dimension, gmsh::model::addPhysicalGroup(dimension, {entity}), name);
         };
-        group(3, lower[1].second, "muscle");
-        group(3, upper[1].second, "tendon");
+        group(3, lower[1].second, lower_name);
+        group(3, upper[1].second, upper_name);
         group(2, base, "foot");
         group(2, upper[0].second, "head");
         gmsh::model::mesh::generate(3);
@@ -113,6 +114,40 @@ namespace myolines
       EXPECT_EQ(system.discretisation().space->face_nodes(0).size(), 25u); // 2 x 2 quadratic faces
       for (const auto node : system.discretisation().space->face_nodes(1))
         EXPECT_NEAR(system.discretisation().space->node_position(node)[2], 12e-3, 1e-15);
+    }
+
+    /// Two muscles in one body: formulas know them by their numbers, and say what formulas of the place say.
+    TEST_F(Gmsh, VolumesOfATissueMayDiffer)
+    {
+      const auto body = std::make_shared<const GmshBody>(two_boxes(4.1, true, "muscle deep", "muscle superficial"), 1e-3, "");
+      EXPECT_EQ(body->tissues, (std::vector<std::string>{"muscle"}));
+      const auto force = [&](const std::string &upper) {
+        Muscle3dParameters p;
+        p.n_points                = 3;
+        p.geometry.gmsh           = body;
+        p.geometry.refinement     = 1;
+        p.geometry.size           = {{33e-3, 10e-3, 12e-3}};
+        p.fields.stress           = upper + " ? 1e5 : 3e5";
+        p.fields.direction        = {{upper + " ? 0.6 : 1", "0", upper + " ? 0.8 : 0"}};
+        p.fields.activation_scale = upper + " ? 0.5 : 1";
+        WorkLedger           ledger;
+        const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
+        State                state = system.initial_state(0);
+        const auto          &space = *system.discretisation().space;
+        for (const auto node : space.nodes().locally_owned_dofs())
+          for (unsigned int c = 0; c < 3; ++c)
+            state.u(3 * node + c) = 0.2 * space.node_position(node)[(c + 1) % 3];
+        Vector r = state.u;
+        EXPECT_TRUE(system.residual({0, Side::left, state.u, state.v, state.a}, r).admissible);
+        return r;
+      };
+      const Vector by_place = force("z>8e-3");
+      Vector       r        = force("volume==2");
+      r -= by_place;
+      EXPECT_LT(r.linfty_norm(), 1e-12 * by_place.linfty_norm());
+      r = force("volume==3");
+      r -= by_place;
+      EXPECT_GT(r.linfty_norm(), 1e-3 * by_place.linfty_norm());
     }
 
     TEST_F(Gmsh, WhatIsNoBodyIsRefusedWithItsPlace)

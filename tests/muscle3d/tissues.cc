@@ -201,8 +201,9 @@ namespace myolines
       fields.stress = "x-0.1";
       EXPECT_THROW(residual_with(fields), InputError);
       const auto file = std::filesystem::temp_directory_path() / "myolines_points_bad.csv";
-      for (const char *text : {"qp_x,qp_y,fat_fraction\n0,0,0\n", "qp_x,qp_y,qp_z,fat\n0,0,0,0\n", "qp_x,qp_y,qp_z,fat_fraction\n0,0,0,2\n",
-                               "qp_x,qp_y,qp_z,fat_fraction\n0,0,0\n", "qp_x,qp_y,qp_z\n", "qp_x,qp_y,qp_z,tissue_id\n0,0,0,7\n"})
+      for (const char *text :
+           {"qp_x,qp_y,fat_fraction\n0,0,0\n", "qp_x,qp_y,qp_z,fat\n0,0,0,0\n", "qp_x,qp_y,qp_z,fat_fraction\n0,0,0,2\n",
+            "qp_x,qp_y,qp_z,fat_fraction\n0,0,0\n", "qp_x,qp_y,qp_z\n", "qp_x,qp_y,qp_z\n0,0,0\n", "qp_x,qp_y,qp_z,tissue_id\n0,0,0,7\n"})
         {
           std::ofstream(file) << text;
           EXPECT_THROW(PointProperties{file}, InputError) << text;

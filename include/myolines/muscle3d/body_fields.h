@@ -1,6 +1,7 @@
 #pragma once
 
 #include <myolines/materials/tissue.h>
+#include <myolines/muscle3d/cell_id.h>
 #include <myolines/scene/scene.h>
 
 #include <deal.II/base/point.h>
@@ -53,7 +54,8 @@ namespace myolines
     unsigned int from, to; ///< boundary ids
   };
 
-  /// What varies within the body: formulas of x, y, z, of the tissue and then for muscle, and a table for all tissues, which comes last.
+  /// What varies within the body: formulas of x, y, z and volume, of the tissue and then for muscle, and a table for all tissues, which
+  /// comes last.
   struct BodyFields
   {
     std::string                            stress;           ///< maximum isometric stress [Pa]; "": that of the tissue
@@ -97,7 +99,7 @@ namespace myolines
       std::string problem;  ///< what the fields get wrong there, where the material does not tell; else empty
     };
     /// @p along: direction of the muscle fibres that the potential gives, any length.
-    AtPoint at(const dealii::Point<3> &x, unsigned int material_id, const std::optional<std::array<double, 3>> &along) const;
+    AtPoint at(const dealii::Point<3> &x, CellId cell, const std::optional<std::array<double, 3>> &along) const;
 
   private:
     struct Formulas;

@@ -13,11 +13,11 @@ namespace myolines
 
   extern const std::array<const char *, 3> axes; ///< "x", "y", "z"
 
-  /// Declares three formulas of x, y, z [m] and t [s], named prefix + axis, default "0".
-  void add_formulas(scene::Schema &schema, const std::string &prefix, const std::string &what);
-  /// The text of @p parameter. @throws InputError for what is not one formula of @p variables.
-  std::string read_formula(const scene::Node &node, const std::string &parameter, const std::string &variables = "x, y, z and pi");
-  std::array<std::string, 3> read_formulas(const scene::Node &node, const std::string &prefix);
+  /// Declares three formulas of x, y, z [m] and t [s] (or @p fourth), named prefix + axis, default "0".
+  void add_formulas(scene::Schema &schema, const std::string &prefix, const std::string &what, const std::string &fourth = "t [s]");
+  /// The text of @p parameter. @throws InputError for what is not one formula of x, y, z and @p fourth (VectorFormula).
+  std::string                read_formula(const scene::Node &node, const std::string &parameter, const std::string &fourth);
+  std::array<std::string, 3> read_formulas(const scene::Node &node, const std::string &prefix, const std::string &fourth = "t");
 
   /// Number of the face that @p parameter names. @throws InputError with the nearest one.
   unsigned int read_face(const scene::Node &node, const std::string &parameter, const std::vector<std::string> &faces);

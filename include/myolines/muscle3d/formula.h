@@ -8,16 +8,17 @@
 
 namespace myolines
 {
-  /// Three formulas of x, y, z [m] and t [s] (muParser), evaluated many times.
+  /// Three formulas of x, y, z [m] and a fourth variable (muParser), evaluated many times: "t" [s], or "volume", the number of the
+  /// physical volume.
   class VectorFormula
   {
   public:
     /// @throws std::invalid_argument if a text is not one formula, with what is wrong with it.
-    explicit VectorFormula(const std::array<std::string, 3> &text);
+    explicit VectorFormula(const std::array<std::string, 3> &text, const std::string &fourth = "t");
     ~VectorFormula();
     VectorFormula(VectorFormula &&) noexcept;
 
-    double operator()(unsigned int component, const dealii::Point<3> &x, double t) const;
+    double operator()(unsigned int component, const dealii::Point<3> &x, double fourth) const;
     /// True if the text of the component is just "0".
     bool zero(unsigned int component) const { return text_[component] == "0"; }
 

@@ -14,7 +14,7 @@ namespace myolines
   struct GmshBody
   {
     std::vector<dealii::Point<3>>    vertices; ///< [m]
-    std::vector<dealii::CellData<3>> cells;    ///< material ids are those of tissue_kinds()
+    std::vector<dealii::CellData<3>> cells;    ///< material ids are those of CellId
     dealii::SubCellData              faces;    ///< boundary ids are places in face_names
     std::vector<std::string>         face_names;
     std::vector<dealii::Point<3>>    face_centres; ///< the vertex of each face nearest to its centre
@@ -26,8 +26,9 @@ namespace myolines
     /// Boundary id of faces without a physical group.
     static constexpr unsigned int unnamed = 1000;
 
-    /// Reads any version and encoding that Gmsh reads. Physical volumes are tissues, by name ("muscle", "aponeurosis", "tendon") or,
-    /// without one, by number (1, 2, 3); without any, all is muscle. Physical surfaces name faces; without a name their number is it.
+    /// Reads any version and encoding that Gmsh reads. Physical volumes are tissues, by name ("muscle", "aponeurosis", "tendon",
+    /// or such a name, a space and more: "muscle soleus") or, without one, by number (1, 2, 3); without any, all is muscle. Physical
+    /// surfaces name faces; without a name their number is it.
     /// @throws InputError at @p where for a file that Gmsh does not read, cells that are no hexahedra of eight nodes, inverted or
     /// degenerate cells, hanging or coincident nodes, and unknown tissues.
     GmshBody(const std::filesystem::path &file, double scale, const std::string &where);

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace myolines
+{
+  /// What the material id of a cell stands for, kept by refinement and partition: its tissue (1 to 15) and the number of the physical
+  /// volume of a Gmsh mesh that it belongs to; 0 in bodies without such volumes, where the id is that of the tissue.
+  struct CellId
+  {
+    unsigned int tissue, volume;
+
+    static constexpr unsigned int n_tissues   = 16;
+    static constexpr unsigned int max_volumes = 1u << 27;
+
+    unsigned int  material_id() const { return tissue + n_tissues * volume; }
+    static CellId of(const unsigned int material_id) { return {material_id % n_tissues, material_id / n_tissues}; }
+  };
+} // namespace myolines

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <deal.II/base/point.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <vector>
+
+namespace myolines
+{
+  // Hexahedra of eight vertices as lists, before they are a mesh: x are places of vertices [m], v the vertices of one of them, row by
+  // row.
+
+  /// Smallest determinant of the map at the corners over the largest; -1 if none is positive.
+  double corner_quality(const std::vector<dealii::Point<3>> &x, const unsigned int *v);
+
+  /// Volume of the trilinear image of the unit cube [m^3].
+  double cell_volume(const std::vector<dealii::Point<3>> &x, const unsigned int *v);
+
+  /// Vertices of a face, row by row.
+  using Quadrilateral = std::array<unsigned int, 4>;
+
+  /// The faces that only one cell has.
+  std::vector<Quadrilateral> outer_faces(const std::vector<dealii::CellData<3>> &cells);
+} // namespace myolines
