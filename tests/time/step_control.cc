@@ -51,6 +51,24 @@ TEST(Plan, endsAreMultiplesAndTheLastOneIsTheEnd)
   EXPECT_EQ(plan.at(0.3 - 1e-14).end, 4 * 0.1) << "round-off before an end belongs to the next step";
 }
 
+// 1e8 steps: round-off of the time is more than a billionth of a step, and still every step ends later than it begins.
+TEST(Plan, veryManyStepsGoOn)
+{
+  const double size = 1e-6 / 3;
+  const Plan   plan(0, 1e8 * size, size);
+  for (const double first : {1e6, 3e7, 9.9e7})
+    {
+      double t = first * size;
+      for (int k = 0; k < 1000; ++k)
+        {
+          const Plan::Step step = plan.at(t);
+          ASSERT_NEAR(step.begin, t, 1e-7 * size);
+          ASSERT_NEAR(step.end, (first + k + 1) * size, 1e-7 * size);
+          t = step.end;
+        }
+    }
+}
+
 TEST(Plan, lastStepIsShorterIfTheStepsDoNotFit)
 {
   const Plan plan(1, 2, 0.3);

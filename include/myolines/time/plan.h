@@ -22,7 +22,8 @@ namespace myolines
     /// @p counts[i] steps of @p sizes[i] [s]; the last piece ends at @p end, which their sum must meet up to round-off.
     Plan(double start, double end, const std::vector<unsigned int> &counts, const std::vector<double> &sizes);
 
-    /// The planned step that contains @p t or begins there. Times within 1e-9 of a step from its end belong to the next.
+    /// The planned step that contains @p t or begins there. Times within 1e-9 of a step from its end belong to the next (more
+    /// after ten million steps, where round-off is more).
     Step at(double t) const;
 
   private:
