@@ -25,9 +25,7 @@ namespace myolines
         add("length of the first element", lengths_.front() * element_->h, "m");
         add("length of the last element", lengths_.back() * element_->h, "m");
       }
-    // rho l^2 e_0^2/sigma_0 = m l e_0^2/F_0
-    add("musculoskeletal Reynolds number",
-        p.mass * p.optimal_length * p.force.maximum_strain_rate * p.force.maximum_strain_rate / p.maximum_force, "");
+    add("musculoskeletal Reynolds number", reynolds_number(), ""); // rho l^2 e_0^2/sigma_0 = m l e_0^2/F_0
     return lines;
   }
 
@@ -65,9 +63,8 @@ namespace myolines
     scatter(v, velocities);
     const Element::GaussPoint &q = element_->points.front();
     for (unsigned int e = 0, begin = 0; e < parameters_.n_elements; ++e, begin += parameters_.degree)
-      forces.push_back(parameters_
-                           .force(parameters_.initial_stretch + Element::sum(q, &displacements[begin]) / lengths_[e],
-                                  Element::sum(q, &velocities[begin]) / lengths_[e], element_activation(e, t, u))
+      forces.push_back(element_force(e, parameters_.initial_stretch + Element::sum(q, &displacements[begin]) / lengths_[e],
+                                     Element::sum(q, &velocities[begin]) / lengths_[e], element_activation(e, t, u))
                            .force);
     return forces;
   }

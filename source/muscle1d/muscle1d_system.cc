@@ -19,6 +19,8 @@ namespace myolines
 
     unsigned int n_unknowns_of(const Muscle1dParameters &p) { return n_free_nodes(p) + (p.activation == nullptr ? p.n_elements : 0); }
 
+    constexpr double front_rate = 8; ///< strain rates beyond it, over e_0, are those of fronts
+
     /// A geometric series whose last term is @p grading times the first, of mean 1.
     std::vector<double> graded_lengths(const unsigned int n, const double grading)
     {
@@ -86,6 +88,28 @@ namespace myolines
     return solves_activation() ? u.local_element(of_activation(element)) / parameters_.optimal_length : parameters_.activation->value(t);
   }
 
+  double Muscle1dSystem::reynolds_number() const
+  {
+    const Muscle1dParameters &p = parameters_;
+    return p.mass * p.optimal_length * p.force.maximum_strain_rate * p.force.maximum_strain_rate / p.maximum_force;
+  }
+
+  HillForce::Value Muscle1dSystem::element_force(const unsigned int element, const double stretch, const double rate,
+                                                 const double activation) const
+  {
+    const Muscle1dParameters &p      = parameters_;
+    HillForce::Value          f      = p.force(stretch, rate, activation);
+    const double              e      = rate / p.force.maximum_strain_rate;
+    const double              excess = std::abs(e) - front_rate;
+    if (p.front_viscosity > 0 && excess > 0)
+      {
+        const double h = lengths_[element] / (p.n_elements * p.degree), b = p.front_viscosity * reynolds_number() * h * h;
+        f.force += std::copysign(b * excess * excess, e);
+        f.by_rate += 2 * b * excess / p.force.maximum_strain_rate;
+      }
+    return f;
+  }
+
   void Muscle1dSystem::scatter(const Vector &x, std::vector<double> &nodes) const
   {
     nodes.assign(n_nodes(), 0.);
@@ -122,7 +146,7 @@ namespace myolines
             const double stretch = p.initial_stretch + Element::sum(q, &u[begin]) / lengths_[e];
             if (!(stretch > 0) || !std::isfinite(stretch))
               return refused("the stretch of the muscle is not positive somewhere");
-            const double f = q.weight * p.force(stretch, Element::sum(q, &v[begin]) / lengths_[e], activation).force;
+            const double f = q.weight * element_force(e, stretch, Element::sum(q, &v[begin]) / lengths_[e], activation).force;
             for (unsigned int i = 0; i < element_->n; ++i)
               force[begin + i] += f * q.slope[i];
           }
@@ -193,9 +217,9 @@ namespace myolines
         const unsigned int own = of_activation(e), begin = e * p.degree;
         for (const Element::GaussPoint &q : element_->points)
           {
-            const HillForce::Value f =
-                p.force(p.initial_stretch + Element::sum(q, &u[begin]) / lengths_[e], Element::sum(q, &v[begin]) / lengths_[e], activation);
-            const double unit = p.maximum_force * q.weight, per_length = unit / lengths_[e];
+            const HillForce::Value f    = element_force(e, p.initial_stretch + Element::sum(q, &u[begin]) / lengths_[e],
+                                                        Element::sum(q, &v[begin]) / lengths_[e], activation);
+            const double           unit = p.maximum_force * q.weight, per_length = unit / lengths_[e];
             for (unsigned int i = 0; i < element_->n; ++i)
               {
                 if (!is_free(begin + i))

@@ -196,6 +196,10 @@ namespace myolines
             "mass", "blended", {"lumped", "blended", "consistent"},
             "Integrated on the nodes, exactly, or a third exactly and the rest on the nodes. Where force-velocity damps nothing, elements "
             "with consistent mass, the more the farther, and of higher degree have another limit than many masses.")
+        .number(
+            "front viscosity", 1, "-", Range::not_negative(),
+            "b: the artificial viscosity b Re (h/l_M)^2 (|e| - 8)^2 where the strain rate e is beyond 8 and force-velocity damps nothing, "
+            "Re the musculoskeletal Reynolds number and h the distance of nodes; elsewhere zero, as it is in the limit of many elements.")
         .number("base material fraction", 0, "-", Range{0, 1, false, true}, "chi_BM of (3.3.11).")
         .section("base material", base_material_schema());
     return schema;
@@ -206,11 +210,12 @@ namespace myolines
     Muscle1dParameters                  p = read_common(system);
     const std::map<std::string, MassOf> masses{
         {"lumped", MassOf::lumped}, {"blended", MassOf::blended}, {"consistent", MassOf::consistent}};
-    p.n_elements = system.integer("elements");
-    p.grading    = system.number("grading");
-    p.degree     = system.integer("degree");
-    p.mass_of    = masses.at(system.text("mass"));
-    p.force.base = read_base_material(system);
+    p.n_elements      = system.integer("elements");
+    p.grading         = system.number("grading");
+    p.degree          = system.integer("degree");
+    p.mass_of         = masses.at(system.text("mass"));
+    p.force.base      = read_base_material(system);
+    p.front_viscosity = system.number("front viscosity");
     return p;
   }
 } // namespace myolines

@@ -50,6 +50,42 @@ TEST(Muscle1d, isLinearisedExactly)
   expect_exact_linearisation(read_isometric_chain(node(isometric_chain_schema(), {"elements=6", "base material fraction=0.01"})), "chain");
 }
 
+// Element 2 of 4 lengthens at 20 e_0: it pulls its nodes together by the printed force, and nothing else changes.
+TEST(Muscle1d, frontsAreViscousAndNothingElse)
+{
+  WorkLedger               ledger;
+  const Overrides          graded{"elements=4", "degree=1", "grading=0.5"};
+  const Muscle1dParameters viscous = continuum(graded);
+  Muscle1dParameters       plain   = viscous;
+  plain.front_viscosity            = 0;
+  const Muscle1dSystem with(viscous, ledger), without(plain, ledger);
+  State                state = somewhere(with);
+  Vector               same  = residual_at(with, state);
+  same -= residual_at(without, state);
+  EXPECT_EQ(same.linfty_norm(), 0);
+
+  const double ratio = std::pow(0.5, 1. / 3), sum = 1 + ratio + ratio * ratio + 0.5, h = ratio * ratio / sum; // of the third element
+  const double e_0 = viscous.force.maximum_strain_rate;
+  state.v          = 0;
+  for (const unsigned int node : {2, 3})
+    state.v(node) = 20 * e_0 * h * viscous.optimal_length;
+  Vector difference = residual_at(with, state);
+  difference -= residual_at(without, state);
+  const double force = 1 * viscous.mass * viscous.optimal_length * e_0 * e_0 * h * h * 12 * 12;
+  EXPECT_NEAR(difference(1), -force, 1e-12 * force);
+  EXPECT_NEAR(difference(2), force, 1e-12 * force);
+  EXPECT_EQ(difference(0), 0);
+  EXPECT_EQ(difference(3), 0);
+
+  Vector x(state.u);
+  for (unsigned int i = 0; i < x.size(); ++i)
+    {
+      x(i) = 1e-4 * std::cos(2. * i + 0.1);
+      state.v(i) += 0.3 * std::cos(0.3 + i); // away from the knot at rest
+    }
+  EXPECT_LT(taylor_error(with, state, {0, 1, 0}, x, 1), 1e-7);
+}
+
 TEST(Muscle1d, isLinearisedExactlyWithItsActivation)
 {
   for (const bool of_continuum : {false, true})
@@ -95,9 +131,10 @@ TEST(Muscle1d, continuumOfOneElementIsOneSmallerMass)
 TEST(Muscle1d, lumpedContinuumIsTheChainButForItsEnd)
 {
   WorkLedger           ledger;
-  const Muscle1dSystem chain(unit({"masses=9"}), ledger), element(continuum({"elements=9", "mass=lumped", "grading=1"}), ledger);
-  const State          state      = somewhere(chain);
-  Vector               difference = residual_at(chain, state);
+  const Muscle1dSystem chain(unit({"masses=9"}), ledger),
+      element(continuum({"elements=9", "mass=lumped", "grading=1", "front viscosity=0"}), ledger);
+  const State state      = somewhere(chain);
+  Vector      difference = residual_at(chain, state);
   difference -= residual_at(element, state);
   EXPECT_NEAR(difference(8), chain.parameters().mass / 18 * state.a(8), 1e-12 * chain.parameters().maximum_force);
   difference(8) = 0;

@@ -42,6 +42,7 @@ namespace myolines
     double       grading         = 1; ///< length of the last element, at the tendon, over that of the first; in between a geometric series
     MassOf       mass_of         = MassOf::points;
     HillForce    force;
+    double       front_viscosity = 0; ///< b [-] of Muscle1dSystem
 
     std::shared_ptr<const Drive> excitation; ///< none: unknown, the activation alone is given
     std::shared_ptr<const Drive> activation; ///< none: Zajac's equation is solved with the motion, for the excitation
@@ -62,6 +63,12 @@ namespace myolines
   /// muscle-tendon unit (2.2.6), an equation of first order in u that is never solved for u': where the activation vanishes it becomes
   /// algebraic, and the matrices of implicit steps, K + C/(g dt), stay regular. Elements of degree k with k + 1 Gauss points and
   /// Gauss-Lobatto nodes discretise the continuum (3.3.6).
+  ///
+  /// Where the strain rate is beyond -1 or 1 force-velocity damps nothing, and fronts of much higher rates are an element or two wide;
+  /// elements whose nodes are h apart may have an artificial viscosity there, a force that falls with h^2 and is zero elsewhere (von
+  /// Neumann and Richtmyer 1950, doi:10.1063/1.1699639):
+  ///
+  ///     f + b Re (h/l_M)^2 (|e| - 8)^2 sign(e) for |e| > 8,   Re = m l_M e_0^2/F_0, the musculoskeletal Reynolds number.
   ///
   /// Unknowns: displacements of the free nodes [m] along the muscle, of second order, or of first order without mass. Where
   /// the activation is solved with the motion, each element has its own, of first order, before the nodes that end it; the unknown is
@@ -111,6 +118,10 @@ namespace myolines
     double       end_displacement(const Vector &u) const { return parameters_.tendon ? u.local_element(of_node(n_nodes() - 1)) : 0; }
     double       element_activation(unsigned int element, double t, const Vector &u) const;
     hill::Curve  tendon(double t, Side side, double end_displacement) const; ///< over F_0, by its stretch
+
+    double reynolds_number() const;
+    /// Force over F_0 of an element, with the artificial viscosity of fronts; @p rate: of the stretch [1/s].
+    HillForce::Value element_force(unsigned int element, double stretch, double rate, double activation) const;
 
     /// Values of all nodes, the fixed ones too.
     void scatter(const Vector &x, std::vector<double> &nodes) const;
