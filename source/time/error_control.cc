@@ -71,7 +71,7 @@ namespace myolines
     else
       step_ = dt * failed;
     ++rejections_;
-    return step_ >= limits_.minimum_step && t + step_ > t && rejections_ <= limits_.rejections;
+    return step_ >= limits_.minimum_step && moves_time(t, step_) && rejections_ <= limits_.rejections;
   }
 
   double ErrorControl::shown_exponent(const double dt, const double error) const

@@ -69,12 +69,12 @@ namespace myolines
         if (report.longest_step && *report.longest_step < dt)
           {
             limit_ = *report.longest_step;
-            return limit_ >= minimum_ && t + limit_ > t;
+            return limit_ >= minimum_ && moves_time(t, limit_);
           }
         const double half = dt / 2;
         cuts_             = std::log2(plan_.at(t).size / half);
         ++rejections_;
-        return half >= minimum_ && t + half > t && rejections_ <= maximum_cuts_;
+        return half >= minimum_ && moves_time(t, half) && rejections_ <= maximum_cuts_;
       }
 
       std::string advice() const override

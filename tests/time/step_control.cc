@@ -140,6 +140,20 @@ TEST(StepControl, cutBackHasLimits)
   EXPECT_FALSE(coarse->rejected(0, 0.05, failed()));
 }
 
+TEST(StepControl, cutBackGivesUpBeforeRoundOffOfTheTimeDecides)
+{
+  const auto   cut = control({"end=1", "step=0.1", "control/maximum cuts=50"});
+  const double t   = 0.5041477257601371;
+  unsigned int n   = 0;
+  for (double dt = 0.1; cut->rejected(t, dt, failed()); ++n)
+    {
+      dt = cut->propose(t);
+      ASSERT_NEAR(t + dt - t, dt, dt / 4);
+    }
+  EXPECT_GT(n, 40u);
+  EXPECT_LT(n, 50u);
+}
+
 TEST(StepControl, cutBackIsRestoredFromAnArchive)
 {
   const auto first = control({"end=1", "step=0.1"}), second = control({"end=1", "step=0.1"});

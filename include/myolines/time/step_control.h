@@ -34,6 +34,10 @@ namespace myolines
 
     virtual void save(Archive &archive) const = 0;
     virtual void load(const Archive &archive) = 0;
+
+  protected:
+    /// Whether a step from @p t is more than round-off of the time.
+    static bool moves_time(const double t, const double dt) { return t + dt / 8 > t; }
   };
 
   /// Parameters of the list `time`: start, end, step or steps, control, boundary rates, start velocity, events.
