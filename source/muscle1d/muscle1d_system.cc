@@ -103,9 +103,10 @@ namespace myolines
     const double              excess = std::abs(e) - front_rate;
     if (p.front_viscosity > 0 && excess > 0)
       {
-        const double h = lengths_[element] / (p.n_elements * p.degree), b = p.front_viscosity * reynolds_number() * h * h;
-        f.force += std::copysign(b * excess * excess, e);
-        f.by_rate += 2 * b * excess / p.force.maximum_strain_rate;
+        const double h      = lengths_[element] / (p.n_elements * p.degree);
+        const double factor = p.front_viscosity * reynolds_number() * h * h;
+        f.force += std::copysign(factor * excess * excess, e);
+        f.by_rate += 2 * factor * excess / p.force.maximum_strain_rate;
       }
     return f;
   }

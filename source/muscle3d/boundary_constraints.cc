@@ -210,7 +210,7 @@ namespace myolines
             {
               for (unsigned int c = 0; c < 3; ++c)
                 if (node.prescribed[c] && node.may_move[c] && std::abs(row.a[c]) > negligible)
-                  return "moves across a symmetry plane, or across a face that moves as one, where the two meet";
+                  return "moves across a symmetry plane, or across a face that moves as one";
               for (const double b : row.b)
                 if (std::abs(b) > negligible)
                   return "holds a point of a face that should move as one under a force";
@@ -247,8 +247,12 @@ namespace myolines
       for (unsigned int c = 0; c < 3; ++c)
         if (node.prescribed[c])
           lines.add_line(3 * number + c);
-      if (const std::string found = solve(node); !found.empty() && problem.empty())
-        problem = "of " + names_at(number, conditions, space) + " one " + found;
+      if (const std::string found = solve(node); !found.empty())
+        {
+          if (problem.empty() && space.owned_unknowns().is_element(3 * number)) // the owner sees all faces there
+            problem = "where " + names_at(number, conditions, space) + " meet, one of them " + found;
+          return; // rows that contradict each other are no relations
+        }
       for (const Row &row : node.rows)
         {
           std::map<global_dof_index, double> others;

@@ -252,13 +252,20 @@ namespace myolines
         for (const int entity : group.entities)
           if (const std::vector<std::size_t> cell_nodes = elements(3, entity, 5, refuse_); !cell_nodes.empty())
             {
+              if (!seen_.insert(entity).second)
+                refuse_("a volume of the physical group " + title(group) + " belongs to another group, too",
+                        "one physical volume for each part");
               const CellId id = cell_id(group, refuse_);
               for (std::size_t first = 0; first < cell_nodes.size(); first += 8)
                 add_cell(&cell_nodes[first], id.material_id());
             }
         if (const std::size_t n = body_.cells.size() - before; n > 0 && group.tag != 0)
-          body_.report.push_back(std::to_string(n) + " cells in volume " + std::to_string(group.tag) +
-                                 (group.name.empty() ? "" : ", \"" + group.name + "\""));
+          body_.report.push_back(std::to_string(n) + " cells in volume " + title(group));
+      }
+
+      static std::string title(const Group &group)
+      {
+        return std::to_string(group.tag) + (group.name.empty() ? "" : ", \"" + group.name + "\"");
       }
 
       /// Only nodes of cells become vertices.
@@ -330,6 +337,7 @@ namespace myolines
       const Refusal                      &refuse_;
       std::map<std::size_t, Point>        nodes_;   ///< by tag
       std::map<std::size_t, unsigned int> numbers_; ///< of vertices by tag
+      std::set<int>                       seen_;    ///< entities whose cells have been added
       double                              worst_ = 1;
     };
   } // namespace

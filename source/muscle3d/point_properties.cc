@@ -34,7 +34,7 @@ namespace myolines
       if (given != 0 && given != 3)
         refuse("the fibre orientation is incomplete", fibre + "x, _y and _z");
       if (csv.header.size() == 3)
-        refuse("there are places, but nothing is said of them", "a column more, of " + join({known.begin() + 3, known.end()}));
+        refuse("there are places, but nothing is said of them", "at least one further column of " + join({known.begin() + 3, known.end()}));
       if (csv.rows.empty())
         throw InputError(InputProblem{csv.file.string(), "there are no points", "a header and lines of numbers, separated by commas", ""});
     }

@@ -1,6 +1,7 @@
 #include <myolines/base/error.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/time/loop.h>
+#include <myolines/time/plan.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,6 @@ namespace myolines
 {
   namespace
   {
-    /// Times closer than this fraction of a step are one.
-    constexpr double sliver = 1e-9;
-
     struct Landing
     {
       double t;  ///< end of the step [s]
@@ -171,13 +169,13 @@ namespace myolines
       {}
 
     private:
-      /// The earliest of what must be landed on; of times that agree up to a sliver the one known best wins:
+      /// The earliest of what must be landed on; of times that agree within time_tolerance the one known best wins:
       /// an event or another given time before a planned step, the end before both.
       Landing landing() const
       {
         const double t        = state_.t;
         double       proposed = control_.propose(t);
-        const double merge    = sliver * proposed;
+        const double merge    = time_tolerance(t, proposed);
         double       target   = control_.next_landing(t);
         const bool   planned  = std::isfinite(target);
         const double fixed    = next_fixed();

@@ -6,13 +6,9 @@
 
 namespace myolines
 {
-  namespace
+  double time_tolerance(const double t, const double size)
   {
-    /// Times should agree within this part of a step: after very many of them round-off is more than a billionth of one.
-    double tolerance(const double t, const double size)
-    {
-      return std::max(1e-9, 4 * std::numeric_limits<double>::epsilon() * std::abs(t) / size);
-    }
+    return std::max(1e-9 * size, 4 * std::numeric_limits<double>::epsilon() * std::abs(t));
   }
 
   Plan::Plan(const double start, const double end, const double size)
@@ -33,14 +29,14 @@ namespace myolines
   Plan::Step Plan::at(const double t) const
   {
     std::size_t i = 0;
-    while (i + 1 < pieces_.size() && t >= pieces_[i].end - tolerance(t, pieces_[i].size) * pieces_[i].size)
+    while (i + 1 < pieces_.size() && t >= pieces_[i].end - time_tolerance(t, pieces_[i].size))
       ++i;
     const Piece &piece = pieces_[i];
-    const double slack = tolerance(t, piece.size);
-    const double k     = std::floor((t - piece.begin) / piece.size + slack);
+    const double slack = time_tolerance(t, piece.size);
+    const double k     = std::floor((t - piece.begin + slack) / piece.size);
     const double begin = piece.begin + k * piece.size;
     double       end   = piece.begin + (k + 1) * piece.size;
-    if (end > piece.end - slack * piece.size)
+    if (end > piece.end - slack)
       end = piece.end;
     return {begin, end, piece.size};
   }

@@ -51,7 +51,7 @@ namespace myolines
         const Plan::Step step      = plan_.at(t);
         const double     remainder = step.end - t;
         const double     size      = std::min(step.size * std::exp2(-cuts_), limit_);
-        const double     parts     = std::max(1., std::ceil(remainder / size - 1e-9));
+        const double     parts     = std::max(1., std::ceil((remainder - time_tolerance(t, size)) / size));
         return parts == 1 ? std::min(size, remainder) : remainder / parts;
       }
 

@@ -135,6 +135,8 @@ namespace myolines
       EXPECT_NE(complaint(list("activation", half) + list("excitation", half)).find("one of them"), std::string::npos);
       EXPECT_NE(complaint(list("excitation", value("1.5"))).find("excitation in [0, 1]"), std::string::npos);
       EXPECT_NE(complaint(list("activation regions", region)).find("not a formula"), std::string::npos);
+      EXPECT_NE(complaint(list("activation regions", list("one", where("t-x")))).find("x, y, z, volume and pi"), std::string::npos);
+      EXPECT_EQ(complaint(list("activation", half) + list("activation regions", list("one", where("volume-x") + list("activation", half)))), "");
       // One oscillation in twenty seconds, from -0.8 to 1.2.
       const std::string slow = parameter("type", "string", "sine") + parameter("offset", "double", "0.2") +
                                parameter("amplitude", "double", "1") + parameter("frequency", "double", "0.05");

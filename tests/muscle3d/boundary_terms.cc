@@ -272,6 +272,11 @@ namespace myolines
         {
           EXPECT_NE(std::string(error.what()).find("\"lengthening\" and \"mirror\""), std::string::npos) << error.what();
         }
+      mirror.face = 4; // the vertex where all coordinates are smallest is node 0
+      EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {moved, mirror}), MPI_COMM_WORLD, ledger));
+      moved.direction = {{0, 0, 1}};
+      EXPECT_THROW(Muscle3dSystem(parameters(2, {moved, mirror}), MPI_COMM_WORLD, ledger), InputError);
+      moved.direction = {{1, 0, 0}};
       EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {moved, condition(Type::symmetry, 4)}), MPI_COMM_WORLD, ledger));
 
       Muscle3dSystem bent(parameters(2, {}), MPI_COMM_WORLD, ledger);

@@ -2,6 +2,7 @@
 #include "fixtures.h"
 
 #include <myolines/base/error.h>
+#include <myolines/base/names.h>
 #include <myolines/muscle3d/measurements.h>
 
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ namespace myolines
 
       /// Two boxes on top of each other, 8 mm of volume 1 below and 4 mm of volume 2 above, by Gmsh itself.
       std::filesystem::path two_boxes(const double version, const bool binary, const std::string &lower_name = "muscle",
-                                      const std::string &upper_name = "tendon") const
+                                      const std::string &upper_name = "tendon", const std::string &both_name = "") const
       {
         gmsh::initialize(0, nullptr, false);
         gmsh::option::setNumber("General.Terminal", 0);
@@ -53,6 +54,8 @@ namespace myolines
         group(3, upper[1].second, upper_name);
         group(2, base, "foot");
         group(2, upper[0].second, "head");
+        if (!both_name.empty())
+          gmsh::model::setPhysicalName(3, gmsh::model::addPhysicalGroup(3, {lower[1].second, upper[1].second}), both_name);
         gmsh::model::mesh::generate(3);
         gmsh::option::setNumber("Mesh.MshFileVersion", version);
         gmsh::option::setNumber("Mesh.Binary", binary ? 1 : 0);
@@ -121,6 +124,7 @@ namespace myolines
     {
       const auto body = std::make_shared<const GmshBody>(two_boxes(4.1, true, "muscle deep", "muscle superficial"), 1e-3, "");
       EXPECT_EQ(body->tissues, (std::vector<std::string>{"muscle"}));
+      EXPECT_NE(join(body->report).find("4 cells in volume 2, \"muscle superficial\""), std::string::npos) << join(body->report);
       const auto force = [&](const std::string &upper) {
         Muscle3dParameters p;
         p.n_points                = 3;
@@ -158,6 +162,8 @@ namespace myolines
       EXPECT_NE(refusal(write(cube + "$Elements\n1\n1 5 2 1 1 5 6 7 8 1 2 3 4\n$EndElements\n")).find("inverted"), std::string::npos);
       EXPECT_NE(refusal(write(cube + "$Elements\n1\n1 4 2 1 1 1 2 3 5\n$EndElements\n")).find("Tetrahedron"), std::string::npos);
       EXPECT_NE(refusal(write(cube + "$Elements\n1\n1 5 2 9 1 1 2 3 4 5 6 7 8\n$EndElements\n")).find("no tissue"), std::string::npos);
+      EXPECT_NE(refusal(two_boxes(4.1, false, "muscles")).find("is no tissue"), std::string::npos);
+      EXPECT_NE(refusal(two_boxes(4.1, false, "muscle a", "muscle b", "muscle")).find("belongs to another group"), std::string::npos);
       EXPECT_NE(refusal(folder_ / "nowhere.msh").find("there is no file"), std::string::npos);
       // A cube beside two half ones: the nodes between them hang on its face; and two cubes that are not joined.
       const std::string more = header +

@@ -157,6 +157,27 @@ TEST(Loop, landsOnEventsOrIgnoresThem)
   EXPECT_EQ(ignore.recorder.times, (std::vector<double>{0.5, 1}));
 }
 
+// After 3e8 steps round-off of the time is more than a billionth of a step: no step is cut, none is added.
+TEST(Loop, veryManyStepsGoOnAsPlanned)
+{
+  for (const char *type : {"fixed", "cut back"})
+    for (const double first : {3e6, 3e7, 3e8})
+      {
+        const double       size = 1e-6 / 3;
+        std::ostringstream end, step;
+        end.precision(17);
+        step.precision(17);
+        end << "end=" << (first + 300) * size;
+        step << "step=" << size;
+        Trial run;
+        run.state = Eventful({}).initial_state(first * size);
+        run.go({end.str(), step.str(), std::string("control/type=") + type});
+        ASSERT_EQ(run.recorder.times.size(), 300u) << type << " " << first;
+        for (unsigned int k = 0; k < 300; ++k)
+          EXPECT_NEAR(run.recorder.times[k], (first + k + 1) * size, 1e-6 * size);
+      }
+}
+
 TEST(Loop, makesNoSliversWhereTimesNearlyAgree)
 {
   // 3 * 0.1 is the next double after 0.3: the event wins over the planned step, the end over the event.

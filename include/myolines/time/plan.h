@@ -4,6 +4,10 @@
 
 namespace myolines
 {
+  /// Times about @p t differ if they are farther apart than this [s]: a billionth of a step of @p size, or, after a million steps,
+  /// round-off.
+  double time_tolerance(double t, double size);
+
   /// Planned steps from start to end: pieces of equal steps. Ends of steps are multiples, never accumulated sums, and the
   /// last one is the end bit for bit.
   class Plan
@@ -22,8 +26,7 @@ namespace myolines
     /// @p counts[i] steps of @p sizes[i] [s]; the last piece ends at @p end, which their sum must meet up to round-off.
     Plan(double start, double end, const std::vector<unsigned int> &counts, const std::vector<double> &sizes);
 
-    /// The planned step that contains @p t or begins there. Times within 1e-9 of a step from its end belong to the next (more
-    /// after ten million steps, where round-off is more).
+    /// The planned step that contains @p t or begins there. Times within time_tolerance of its end belong to the next.
     Step at(double t) const;
 
   private:
