@@ -1,4 +1,6 @@
 // Smooth curves and those of the user.
+#include "../support/temporary.h"
+
 #include <myolines/base/error.h>
 #include <myolines/materials/curve_set.h>
 
@@ -95,7 +97,7 @@ namespace myolines
     class Tables : public testing::Test
     {
     protected:
-      std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "myolines_curve_tables";
+      std::filesystem::path folder_ = test::temporary("curve_tables");
 
       void SetUp() override { std::filesystem::create_directories(folder_); }
       void TearDown() override { std::filesystem::remove_all(folder_); }

@@ -1,4 +1,5 @@
 // Activation by regions, and from an excitation.
+#include "../support/temporary.h"
 #include "fixtures.h"
 
 #include <myolines/base/error.h>
@@ -79,7 +80,7 @@ namespace myolines
     protected:
       static Muscle3dParameters read(const std::string &lists)
       {
-        const auto file = std::filesystem::temp_directory_path() / "myolines_activation.xml";
+        const auto file = test::temporary("activation.xml");
         std::ofstream(file) << "<ParameterList name=\"scene\">" << lists << "</ParameterList>";
         return read_muscle3d(scene::read_scene(file, muscle3d_schema()));
       }
@@ -136,7 +137,8 @@ namespace myolines
       EXPECT_NE(complaint(list("excitation", value("1.5"))).find("excitation in [0, 1]"), std::string::npos);
       EXPECT_NE(complaint(list("activation regions", region)).find("not a formula"), std::string::npos);
       EXPECT_NE(complaint(list("activation regions", list("one", where("t-x")))).find("x, y, z, volume and pi"), std::string::npos);
-      EXPECT_EQ(complaint(list("activation", half) + list("activation regions", list("one", where("volume-x") + list("activation", half)))), "");
+      EXPECT_EQ(complaint(list("activation", half) + list("activation regions", list("one", where("volume-x") + list("activation", half)))),
+                "");
       // One oscillation in twenty seconds, from -0.8 to 1.2.
       const std::string slow = parameter("type", "string", "sine") + parameter("offset", "double", "0.2") +
                                parameter("amplitude", "double", "1") + parameter("frequency", "double", "0.05");

@@ -1,5 +1,6 @@
 // Fractions of extracellular matrix and tissues that vary within a block, against closed forms and between formulas and tables.
 #include "../support/solvers.h"
+#include "../support/temporary.h"
 #include "fixtures.h"
 
 #include <myolines/base/error.h>
@@ -70,7 +71,7 @@ namespace myolines
       Muscle3dParameters p    = mixed_block();
       const Deformed     at   = Deformed(p);
       const auto        &d    = at.system.discretisation();
-      const auto         file = std::filesystem::temp_directory_path() / ("myolines_" + column + ".csv");
+      const auto         file = test::temporary(column + ".csv");
       std::ofstream      out(file);
       out.precision(17);
       out << "qp_x,qp_y,qp_z," << column << "\n";

@@ -1,4 +1,5 @@
 // Bodies from Gmsh files, good and bad.
+#include "../support/temporary.h"
 #include "fixtures.h"
 
 #include <myolines/base/error.h>
@@ -20,7 +21,7 @@ namespace myolines
     {
     protected:
       Gmsh()
-        : folder_(std::filesystem::temp_directory_path() / ("myolines_gmsh_" + std::to_string(::getpid())))
+        : folder_(test::temporary("gmsh"))
       {
         std::filesystem::create_directories(folder_);
       }

@@ -1,4 +1,5 @@
 // Bodies of several tissues, and fields over the body.
+#include "../support/temporary.h"
 #include "fixtures.h"
 
 #include <myolines/base/error.h>
@@ -149,7 +150,7 @@ namespace myolines
                   row << "," << 2 * a[0] << "," << 2 * a[1] << "," << 2 * a[2] << "," << 2e5 * (1 + x[0]) << "," << x[1] << "," << 1 - x[0];
                 rows.push_back(row.str());
               }
-        const auto    file = std::filesystem::temp_directory_path() / (everything ? "myolines_points_all.csv" : "myolines_points_ids.csv");
+        const auto    file = test::temporary(everything ? "points_all.csv" : "points_ids.csv");
         std::ofstream out(file);
         out << "tissue_id,qp_z,qp_y,qp_x"
             << (everything ? ",muscle_fibre_orientation_x,muscle_fibre_orientation_y,muscle_fibre_orientation_z,max_iso_stress_muscle,"
@@ -200,7 +201,7 @@ namespace myolines
       fields        = {};
       fields.stress = "x-0.1";
       EXPECT_THROW(residual_with(fields), InputError);
-      const auto file = std::filesystem::temp_directory_path() / "myolines_points_bad.csv";
+      const auto file = test::temporary("points_bad.csv");
       for (const char *text :
            {"qp_x,qp_y,fat_fraction\n0,0,0\n", "qp_x,qp_y,qp_z,fat\n0,0,0,0\n", "qp_x,qp_y,qp_z,fat_fraction\n0,0,0,2\n",
             "qp_x,qp_y,qp_z,fat_fraction\n0,0,0\n", "qp_x,qp_y,qp_z\n", "qp_x,qp_y,qp_z\n0,0,0\n", "qp_x,qp_y,qp_z,tissue_id\n0,0,0,7\n"})

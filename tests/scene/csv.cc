@@ -1,4 +1,6 @@
 // Tables that a person gives.
+#include "../support/temporary.h"
+
 #include <myolines/base/error.h>
 #include <myolines/scene/csv.h>
 
@@ -15,7 +17,7 @@ namespace
   class CsvInput : public testing::Test
   {
   protected:
-    const std::filesystem::path file_ = std::filesystem::temp_directory_path() / "myolines_csv_input.csv";
+    const std::filesystem::path file_ = test::temporary("csv_input.csv");
 
     void TearDown() override { std::filesystem::remove(file_); }
 

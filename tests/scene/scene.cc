@@ -1,3 +1,5 @@
+#include "../support/temporary.h"
+
 #include <myolines/scene/scene.h>
 
 #include <gtest/gtest.h>
@@ -249,7 +251,7 @@ TEST(Scene, TextSurvivesResolving)
 
 TEST(Scene, FilesAreFoundBesideTheSceneAndResolvedAbsolute)
 {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "myolines_scene_test";
+  const std::filesystem::path folder = test::temporary("scene_test");
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "table.dat") << "0 0\n";
   std::ofstream(folder / "scene.xml") << sublist("scene", parameter("table", "string", "table.dat"));

@@ -1,3 +1,5 @@
+#include "../support/temporary.h"
+
 #include <myolines/system/drive.h>
 
 #include <gtest/gtest.h>
@@ -198,7 +200,7 @@ TEST(Drive, BadPointsAreRefused)
 
 TEST(Drive, PointsFromAFile)
 {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "myolines_drive_test.dat";
+  const std::filesystem::path file = test::temporary("drive_test.dat");
   std::ofstream(file) << "# t strain\n0.0\t0.0\n\n0.2 \t0.5\r\n";
   const auto d = drive({{"type", "control points"}, {"file", file.string()}});
   EXPECT_EQ(d->value(0.1), 0.25);
