@@ -43,10 +43,10 @@ namespace myolines
     return best;
   }
 
-  std::string nearest_hint(const std::string &name, const std::vector<std::string> &candidates)
+  std::string nearest_hint(const std::string &name, const std::vector<std::string> &candidates, const std::string &label)
   {
     const std::string nearest = nearest_name(name, candidates);
-    return nearest.empty() ? "" : "nearest: \"" + nearest + "\"";
+    return nearest.empty() ? "" : label + ": \"" + nearest + "\"";
   }
 
   std::string join(const std::vector<std::string> &words, const std::string &separator)

@@ -195,9 +195,8 @@ namespace myolines
           return entry;
         names.push_back(entry.name);
       }
-    const std::string nearest = nearest_name(name, names);
-    throw InputError(InputProblem{where, "unknown system \"" + name + "\"", "one of " + join(names),
-                                  nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+    throw InputError(
+        InputProblem{where, "unknown system \"" + name + "\"", "one of " + join(names), nearest_hint(name, names, "nearest valid name")});
   }
 
   scene::Schema root_schema(const SystemEntry &output_of)

@@ -177,12 +177,11 @@ namespace myolines
                 if (entry.section == rule.section)
                   names.push_back(rule.name);
               }
-            const std::string nearest = nearest_name(entry.name, names);
             if (!known)
               problems.push_back({file_ + ", line " + std::to_string(entry.line),
                                   "unknown entry \"" + entry.name + "\" in subsection \"" + entry.section + "\"",
                                   std::string("an entry of Flexodeal") + (full_ ? "" : " Lite"),
-                                  nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+                                  nearest_hint(entry.name, names, "nearest valid name")});
           }
       }
 

@@ -120,9 +120,8 @@ namespace myolines
 
     [[noreturn]] void refuse(const std::string &what, const std::string &name, const std::vector<std::string> &known)
     {
-      const std::string nearest = nearest_name(name, known);
       throw InputError(InputProblem{"command line", "unknown " + what + " \"" + name + "\"", "one of " + join(known),
-                                    nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+                                    nearest_hint(name, known, "nearest valid name")});
     }
 
     template <typename Things, typename NameOf>

@@ -249,10 +249,9 @@ namespace myolines
       const bool unknown = argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end();
       if (unknown)
         {
-          const std::string nearest = nearest_name(argv[1], commands);
           err << "unknown command \"" << argv[1] << "\"\n  expected: one of " << join(commands) << "\n";
-          if (!nearest.empty())
-            err << "  hint: nearest valid name: \"" << nearest << "\"\n";
+          if (const std::string hint = nearest_hint(argv[1], commands, "nearest valid name"); !hint.empty())
+            err << "  hint: " << hint << "\n";
         }
       else if (app.exit(error, out, err) == 0)
         return static_cast<int>(ExitCode::done);

@@ -25,7 +25,7 @@ namespace myolines
         add("length of the first element", lengths_.front() * element_->h, "m");
         add("length of the last element", lengths_.back() * element_->h, "m");
       }
-    add("musculoskeletal Reynolds number", reynolds_number(), ""); // rho l^2 e_0^2/sigma_0 = m l e_0^2/F_0
+    add("musculoskeletal Reynolds number", reynolds_number(), "");
     return lines;
   }
 

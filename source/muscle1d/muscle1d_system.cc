@@ -1,5 +1,6 @@
 #include "muscle1d_element.h"
 
+#include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/system/band_linearisation.h>
 
 #include <algorithm>
@@ -91,7 +92,8 @@ namespace myolines
   double Muscle1dSystem::reynolds_number() const
   {
     const Muscle1dParameters &p = parameters_;
-    return p.mass * p.optimal_length * p.force.maximum_strain_rate * p.force.maximum_strain_rate / p.maximum_force;
+    // Density and stress over a cross-section, which cancels.
+    return musculoskeletal_reynolds_number(p.mass / p.optimal_length, p.optimal_length, p.force.maximum_strain_rate, p.maximum_force);
   }
 
   HillForce::Value Muscle1dSystem::element_force(const unsigned int element, const double stretch, const double rate,

@@ -76,9 +76,8 @@ namespace myolines::scene
   {
     if (const auto found = column(name))
       return *found;
-    const std::string nearest = nearest_name(name, header);
     throw InputError(InputProblem{file.string(), "there is no column \"" + name + "\"", "one of " + join(header),
-                                  nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\""});
+                                  nearest_hint(name, header, "nearest valid name")});
   }
 
   std::vector<double> CsvTable::numbers(const std::size_t column) const

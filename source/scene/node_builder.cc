@@ -12,12 +12,10 @@ namespace myolines::scene
   {
     std::string quoted(const std::string &text) { return "\"" + text + "\""; }
 
-    std::string nearest_hint(const std::string &name, const std::vector<std::string> &known)
+    std::string nearest_or_all(const std::string &name, const std::vector<std::string> &known)
     {
-      const std::string nearest = nearest_name(name, known);
-      if (!nearest.empty())
-        return "nearest valid name: " + quoted(nearest);
-      return known.empty() ? "" : "valid names: " + join(known);
+      const std::string nearest = nearest_hint(name, known, "nearest valid name");
+      return !nearest.empty() ? nearest : known.empty() ? "" : "valid names: " + join(known);
     }
 
     /// Values of the attribute "type" that go with a kind; the first is the one to recommend.
@@ -173,7 +171,7 @@ namespace myolines::scene
           continue;
         if (list.from_override)
           problems_.push_back({where(node, list.name, true), "the scene has no list " + quoted(list.name) + " here",
-                               "a list that the scene writes", nearest_hint(list.name, written)});
+                               "a list that the scene writes", nearest_or_all(list.name, written)});
         else if (list.name.find('/') != std::string::npos)
           problems_.push_back({node.where(list.name), "the name " + quoted(list.name) + " contains a slash",
                                "a name without slashes, which separate lists in paths", ""});
@@ -220,7 +218,7 @@ namespace myolines::scene
                              "it belongs to " + quoted(names.elsewhere.at(name))});
       else
         problems_.push_back({place, std::string("unknown ") + (is_list ? "list " : "parameter ") + quoted(name),
-                             "a name that is declared here", nearest_hint(name, same)});
+                             "a name that is declared here", nearest_or_all(name, same)});
     };
     for (const RawParameter &parameter : raw.parameters)
       refuse(parameter.name, false, parameter.from_override);
@@ -247,7 +245,7 @@ namespace myolines::scene
     if (entry.kind == Kind::file)
       return checked_file(text, entry, where);
     if (entry.kind == Kind::choice && !contains(entry.choices, text))
-      return refuse(quoted(text) + " is not a valid choice", nearest_hint(text, entry.choices));
+      return refuse(quoted(text) + " is not a valid choice", nearest_or_all(text, entry.choices));
     if (entry.kind == Kind::boolean && text != "true" && text != "false")
       return refuse(quoted(text) + " is not a truth value");
     if (entry.kind == Kind::number || entry.kind == Kind::integer)

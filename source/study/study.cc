@@ -31,9 +31,8 @@ namespace myolines::study
     {
       if (contains(known, name))
         return;
-      const std::string nearest = nearest_name(name, known);
       node.refuse(parameter, "there is no " + what + " \"" + name + "\"", "one of " + join(known),
-                  nearest.empty() ? "" : "nearest valid name: \"" + nearest + "\"");
+                  nearest_hint(name, known, "nearest valid name"));
     }
 
     Grid read_grid(const Node &node)

@@ -1,3 +1,4 @@
+#include "../support/temporary.h"
 #include "run.h"
 
 #include <myolines/base/error.h>
@@ -7,8 +8,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 using namespace myolines;
 using namespace myolines::testing;
@@ -34,8 +33,7 @@ namespace
   struct File
   {
     explicit File(const std::string &text)
-      : path(std::filesystem::temp_directory_path() /
-             ("myolines_samples_" + std::to_string(getpid()) + ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv"))
+      : path(myolines::test::temporary("samples.csv"))
     {
       std::ofstream(path) << text;
     }

@@ -9,8 +9,8 @@ namespace myolines
   /// (more than half of the name would have to change).
   std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
 
-  /// The hint "nearest: "b"" of a message, or "" if none is near.
-  std::string nearest_hint(const std::string &name, const std::vector<std::string> &candidates);
+  /// The hint "nearest: "b"" of a message, with other words before the colon if @p label says so, or "" if none is near.
+  std::string nearest_hint(const std::string &name, const std::vector<std::string> &candidates, const std::string &label = "nearest");
 
   /// "a, b, c".
   std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");

@@ -72,7 +72,7 @@ namespace myolines
   LoopSettings loop_settings(const scene::Node &time);
 
   /// Advances @p state to settings.end exactly: lands on the end, on the landings of the control and of the settings, and
-  /// (unless ignored) on events; restarts the integrator after events where so set. A remainder shorter than 1e-9 of the proposed step is
+  /// (unless ignored) on events; restarts the integrator after events where so set. A remainder within time_tolerance is
   /// merged into the step, so that rounding makes no sliver steps. Landing times are set, never accumulated.
   ///
   /// A state at settings.start begins the run: the integrator is started. A later one resumes it: integrator and control
