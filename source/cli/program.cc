@@ -35,8 +35,9 @@ namespace myolines
     class CommandLine
     {
     public:
-      explicit CommandLine(std::ostream &out)
+      CommandLine(std::ostream &out, MpiSession &mpi)
         : out_(out)
+        , mpi_(mpi)
       {
         app.require_subcommand(1);
         app.footer("Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed or a signal stopped the run.");
@@ -142,7 +143,7 @@ namespace myolines
       void add_study()
       {
         CLI::App *command = add(app, "study", "Runs many variants of a scene and tabulates what is asked of them; see: list studies",
-                                [this] { study_command(study_, run.quiet, out_); });
+                                [this] { study_command(study_, run.quiet, mpi_, out_); });
         command->add_option("study", study_.file, "The study")->required()->type_name("STUDY.xml");
         command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
         command->add_option("--jobs", study_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
@@ -230,6 +231,7 @@ namespace myolines
       }
 
       std::ostream         &out_;
+      MpiSession           &mpi_;
       std::string           topic_, name_;
       FlexodealOptions      flexodeal_;
       study::Options        study_;
@@ -292,12 +294,15 @@ namespace myolines
     }
   } // namespace
 
-  int program(const int argc, const char *const *argv)
+  int program(const int argc, const char *const *argv, MpiSession &mpi)
   {
+    const bool is_study = argc > 1 && std::string(argv[1]) == "study";
+    if (!is_study || MpiSession::is_rank_of_a_job())
+      mpi.start();
     std::ostream  nowhere(nullptr);
     std::ostream &out = writes_files() ? std::cout : nowhere;
     std::ostream &err = writes_files() ? std::cerr : nowhere;
-    CommandLine   line(out);
+    CommandLine   line(out, mpi);
     try
       {
         line.app.parse(argc, argv);

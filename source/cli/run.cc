@@ -1,4 +1,5 @@
 #include <myolines/cli/commands.h>
+#include <myolines/cli/core_share.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/resume.h>
 #include <myolines/cli/stop_signals.h>
@@ -178,8 +179,12 @@ namespace myolines
       write_ledger(folder, experiment.ledger());
     };
     if (!options.quiet)
-      for (const std::string &warning : experiment.warnings())
-        out << "Warning: " << warning << "\n";
+      {
+        for (const std::string &warning : experiment.warnings())
+          out << "Warning: " << warning << "\n";
+        if (const auto warning = warning_of_shared_cores())
+          out << "Warning: " << *warning << "\n";
+      }
     Tally tally;
     try
       {

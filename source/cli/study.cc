@@ -1,5 +1,6 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
+#include <myolines/cli/program.h>
 #include <myolines/cli/stop_signals.h>
 #include <myolines/study/processes.h>
 
@@ -9,10 +10,20 @@
 
 namespace myolines
 {
-  void study_command(study::Options options, const bool quiet, std::ostream &out)
+  void study_command(study::Options options, const bool quiet, MpiSession &mpi, std::ostream &out)
   {
     const StopSignals signals;
-    options.program     = study::this_program();
+    options.program   = study::this_program();
+    options.start_mpi = [&mpi] { mpi.start(); };
+    if (!mpi.started())
+      options.run_in_copy = [&mpi](const std::vector<std::string> &command) {
+        std::vector<const char *> words;
+        for (const std::string &word : command)
+          words.push_back(word.c_str());
+        const int exit_code = program(static_cast<int>(words.size()), words.data(), mpi);
+        mpi.end();
+        return exit_code;
+      };
     options.stop_signal = [&signals] { return signals.noted(); };
     options.terminal    = !quiet && isatty(STDOUT_FILENO) ? &std::cout : nullptr;
     options.resolve     = [](const std::filesystem::path &scene, const std::vector<std::string> &settings) {

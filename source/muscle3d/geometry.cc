@@ -14,8 +14,6 @@ namespace myolines
     using scene::Range;
     using scene::Schema;
 
-    using Point = dealii::Point<3>;
-
     const double degree = dealii::numbers::PI / 180;
 
     Schema block_schema()
@@ -50,12 +48,13 @@ namespace myolines
     }
 
     /// Corner (i, j, k) of the cells of a gastrocnemius: i from below the lower layer to above the upper one.
-    Point corner(const Gastrocnemius &g, const unsigned int i, const unsigned int j, const unsigned int k, const unsigned int halves)
+    dealii::Point<3> corner(const Gastrocnemius &g, const unsigned int i, const unsigned int j, const unsigned int k,
+                            const unsigned int halves)
     {
       const auto   fibre = g.fibre_direction(), layer = g.aponeurosis_direction();
       const double across = std::min(1., std::max(0., (i - 1.) / halves)) * g.fibre_length(),
                    along  = j / (2. * halves) * g.aponeurosis_length;
-      Point x(across * fibre[0] + along * layer[0], k * g.width / halves, across * fibre[2] + along * layer[2]);
+      dealii::Point<3> x(across * fibre[0] + along * layer[0], k * g.width / halves, across * fibre[2] + along * layer[2]);
       if (i == 0)
         x[2] -= g.aponeurosis_height;
       if (i == halves + 2)
@@ -84,7 +83,7 @@ namespace myolines
     void make_gastrocnemius(const Geometry &geometry, dealii::Triangulation<3> &mesh)
     {
       const std::array<unsigned int, 3> n = geometry.cells;
-      std::vector<Point>                vertices;
+      std::vector<dealii::Point<3>>     vertices;
       for (unsigned int k = 0; k <= n[2]; ++k)
         for (unsigned int j = 0; j <= n[1]; ++j)
           for (unsigned int i = 0; i <= n[0]; ++i)
@@ -173,11 +172,11 @@ namespace myolines
     return geometry.gmsh ? geometry.gmsh->face_names : geometry.gastrocnemius ? of_gastrocnemius : of_block;
   }
 
-  Point face_centre(const Geometry &geometry, const unsigned int face)
+  dealii::Point<3> face_centre(const Geometry &geometry, const unsigned int face)
   {
     if (geometry.gmsh)
       return geometry.gmsh->face_centres.at(face);
-    Point centre(geometry.size[0] / 2, geometry.size[1] / 2, geometry.size[2] / 2);
+    dealii::Point<3> centre(geometry.size[0] / 2, geometry.size[1] / 2, geometry.size[2] / 2);
     if (!geometry.gastrocnemius)
       {
         centre[face / 2] = face % 2 == 0 ? 0 : geometry.size[face / 2];
@@ -185,8 +184,8 @@ namespace myolines
       }
     const Gastrocnemius &g  = *geometry.gastrocnemius;
     const auto           at = [&](const double fibres, const double layers, const double height, const double width) {
-      const auto fibre = g.fibre_direction(), layer = g.aponeurosis_direction();
-      Point      x;
+      const auto       fibre = g.fibre_direction(), layer = g.aponeurosis_direction();
+      dealii::Point<3> x;
       for (unsigned int c = 0; c < 3; ++c)
         x[c] = fibres * g.fibre_length() * fibre[c] + layers * g.aponeurosis_length * layer[c];
       x[1] += width * g.width;

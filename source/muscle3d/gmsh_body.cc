@@ -18,8 +18,7 @@ namespace myolines
 {
   namespace
   {
-    using Point = dealii::Point<3>;
-    using Face  = Quadrilateral;
+    using Face = Quadrilateral;
 
     struct Refusal
     {
@@ -31,7 +30,7 @@ namespace myolines
       }
     };
 
-    std::string text(const Point &x)
+    std::string text(const dealii::Point<3> &x)
     {
       std::ostringstream out;
       out << "(" << x << ") m";
@@ -141,17 +140,17 @@ namespace myolines
     class Places
     {
     public:
-      Places(const std::vector<Point> &vertices, const double size)
+      Places(const std::vector<dealii::Point<3>> &vertices, const double size)
         : cell_(1e-6 * size)
       {
-        for (const Point &x : vertices)
+        for (const dealii::Point<3> &x : vertices)
           at_.insert(key(x));
       }
       std::size_t size() const { return at_.size(); }
-      bool        contains(const Point &x) const { return at_.count(key(x)) > 0; }
+      bool        contains(const dealii::Point<3> &x) const { return at_.count(key(x)) > 0; }
 
     private:
-      std::array<long, 3> key(const Point &x) const
+      std::array<long, 3> key(const dealii::Point<3> &x) const
       {
         return {{std::lround(x[0] / cell_), std::lround(x[1] / cell_), std::lround(x[2] / cell_)}};
       }
@@ -167,7 +166,7 @@ namespace myolines
       const auto &x = body.vertices;
       for (const Face &f : faces)
         for (const auto &[i, j] : {std::pair(0, 1), std::pair(1, 3), std::pair(3, 2), std::pair(2, 0), std::pair(0, 3)})
-          if (const Point middle = Point(0.5 * (x[f[i]] + x[f[j]])); places.contains(middle))
+          if (const dealii::Point<3> middle = dealii::Point<3>(0.5 * (x[f[i]] + x[f[j]])); places.contains(middle))
             refuse("a node hangs at " + text(middle) + ": cells of different size meet", "a conforming mesh");
     }
 
@@ -183,7 +182,7 @@ namespace myolines
         std::vector<double>      coordinates, parameters;
         gmsh::model::mesh::getNodes(tags, coordinates, parameters);
         for (std::size_t i = 0; i < tags.size(); ++i)
-          nodes_[tags[i]] = scale * Point(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
+          nodes_[tags[i]] = scale * dealii::Point<3>(coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]);
       }
 
       void read_cells()
@@ -208,7 +207,7 @@ namespace myolines
       void read_box()
       {
         body_.low = body_.high = body_.vertices.front();
-        for (const Point &x : body_.vertices)
+        for (const dealii::Point<3> &x : body_.vertices)
           for (unsigned int c = 0; c < 3; ++c)
             {
               body_.low[c]  = std::min(body_.low[c], x[c]);
@@ -320,11 +319,11 @@ namespace myolines
       {
         if (quads.empty())
           refuse_("the physical surface \"" + name + "\" is not at the boundary of the cells", "surfaces of the body");
-        Point centre;
+        dealii::Point<3> centre;
         for (const Face &quad : quads)
           for (const unsigned int v : quad)
             centre += body_.vertices[v] / (4. * quads.size());
-        Point nearest = body_.vertices[quads.front()[0]];
+        dealii::Point<3> nearest = body_.vertices[quads.front()[0]];
         for (const Face &quad : quads)
           for (const unsigned int v : quad)
             if (body_.vertices[v].distance(centre) < nearest.distance(centre))
@@ -333,12 +332,12 @@ namespace myolines
         body_.report.push_back(std::to_string(quads.size()) + " quadrilaterals on the face \"" + name + "\"");
       }
 
-      GmshBody                           &body_;
-      const Refusal                      &refuse_;
-      std::map<std::size_t, Point>        nodes_;   ///< by tag
-      std::map<std::size_t, unsigned int> numbers_; ///< of vertices by tag
-      std::set<int>                       seen_;    ///< entities whose cells have been added
-      double                              worst_ = 1;
+      GmshBody                               &body_;
+      const Refusal                          &refuse_;
+      std::map<std::size_t, dealii::Point<3>> nodes_;   ///< by tag
+      std::map<std::size_t, unsigned int>     numbers_; ///< of vertices by tag
+      std::set<int>                           seen_;    ///< entities whose cells have been added
+      double                                  worst_ = 1;
     };
   } // namespace
 

@@ -12,7 +12,6 @@ namespace myolines
 {
   namespace
   {
-    using Point = dealii::Point<3>;
 
     const std::string              fibre = "muscle_fibre_orientation_";
     const std::vector<std::string> known{"qp_x",      "qp_y",      "qp_z",         "max_iso_stress_muscle", fibre + "x",
@@ -42,7 +41,7 @@ namespace myolines
 
   struct PointProperties::Table
   {
-    using Tree = dealii::RTree<std::pair<Point, unsigned int>>;
+    using Tree = dealii::RTree<std::pair<dealii::Point<3>, unsigned int>>;
 
     std::filesystem::path     file;
     std::vector<Row>          rows;
@@ -104,9 +103,9 @@ namespace myolines
     {
       const std::vector<double> x = csv.numbers(*csv.column("qp_x")), y = csv.numbers(*csv.column("qp_y")),
                                 z = csv.numbers(*csv.column("qp_z"));
-      std::vector<std::pair<Point, unsigned int>> places;
+      std::vector<std::pair<dealii::Point<3>, unsigned int>> places;
       for (unsigned int row = 0; row < rows.size(); ++row)
-        places.emplace_back(Point(x[row], y[row], z[row]), row);
+        places.emplace_back(dealii::Point<3>(x[row], y[row], z[row]), row);
       tree = dealii::pack_rtree(places);
     }
   };
@@ -120,9 +119,9 @@ namespace myolines
 
   PointProperties::~PointProperties() = default;
 
-  std::pair<const PointProperties::Row &, double> PointProperties::nearest(const Point &x) const
+  std::pair<const PointProperties::Row &, double> PointProperties::nearest(const dealii::Point<3> &x) const
   {
-    std::vector<std::pair<Point, unsigned int>> found;
+    std::vector<std::pair<dealii::Point<3>, unsigned int>> found;
     table_->tree.query(boost::geometry::index::nearest(x, 1), std::back_inserter(found));
     return {table_->rows[found.front().second], found.front().first.distance(x)};
   }

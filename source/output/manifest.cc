@@ -1,5 +1,6 @@
 #include <myolines/output/outputs.h>
 #include <myolines/output/text_file.h>
+#include <myolines/output/version.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
@@ -53,11 +54,10 @@ namespace myolines
   void write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
                       const std::string &resumed, const std::string &exit_reason)
   {
-    const std::string git_hash = MYOLINES_GIT_HASH;
-    Json              manifest;
+    Json manifest;
     manifest["program"]  = "myolines";
-    manifest["version"]  = MYOLINES_VERSION;
-    manifest["git hash"] = git_hash.empty() ? Json(nullptr) : Json(git_hash);
+    manifest["version"]  = version;
+    manifest["git hash"] = *git_hash == '\0' ? Json(nullptr) : Json(git_hash);
 #ifdef DEBUG
     manifest["build"] = "Debug";
 #else

@@ -157,11 +157,12 @@ namespace myolines::study
     RunnerOptions runner_options(const Options &options, const Study &study, const std::filesystem::path &folder)
     {
       RunnerOptions runner;
-      runner.program = options.program;
-      runner.folder  = folder;
-      runner.jobs    = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency() / study.ranks);
-      runner.retry   = options.retry;
-      runner.resolve = [&options, scene = study.scene](const std::vector<std::string> &settings) {
+      runner.program     = options.program;
+      runner.run_in_copy = options.run_in_copy;
+      runner.folder      = folder;
+      runner.jobs        = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency() / study.ranks);
+      runner.retry       = options.retry;
+      runner.resolve     = [&options, scene = study.scene](const std::vector<std::string> &settings) {
         return options.resolve(scene, settings);
       };
       runner.stop_signal = options.stop_signal;
@@ -187,13 +188,15 @@ namespace myolines::study
       throw_if_open(run_cases(study, cases_of_part(cases, part), database, runner));
     }
 
-    void run_whole(const std::vector<Case> &cases, const Study &study, const RunnerOptions &runner, std::ostream &out)
+    void run_whole(const std::vector<Case> &cases, const Study &study, const RunnerOptions &runner, const std::function<void()> &start_mpi,
+                   std::ostream &out)
     {
       const FileLock lock(runner.folder / "study.lock", FileLock::Kind::exclusive);
       Database       database(runner.folder / "study.sqlite");
       take_over_parts(runner.folder, database);
-      const RunnerReport     report = run_cases(study, cases, database, runner);
-      const std::vector<Row> rows   = evaluate(study, cases, database.outcomes(), runner.folder);
+      const RunnerReport report = run_cases(study, cases, database, runner);
+      start_mpi(); // fields of several runs are compared by parallel vectors
+      const std::vector<Row> rows = evaluate(study, cases, database.outcomes(), runner.folder);
       write_tables(study, rows, runner.folder, database);
       print_counts(rows, out);
       print_missing(study, rows, out);
@@ -240,6 +243,6 @@ namespace myolines::study
     const RunnerOptions runner = runner_options(options, study, folder);
     if (!options.part.empty())
       return run_part(cases, study, read_part(options.part), runner);
-    run_whole(cases, study, runner, out);
+    run_whole(cases, study, runner, options.start_mpi, out);
   }
 } // namespace myolines::study

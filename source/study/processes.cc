@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
 
@@ -51,9 +53,8 @@ namespace myolines::study
       return all;
     }
 
-    /// Between fork and exec; only calls that are safe there.
-    [[noreturn]] void become(char *const *arguments, char *const *environment, const int console, const pid_t parent,
-                             const sigset_t &signals)
+    /// What a child does first, between fork and exec: only calls that are safe there.
+    void set_up_child(const int console, const pid_t parent, const sigset_t &signals)
     {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (getppid() != parent) // it died before the line above
@@ -63,9 +64,16 @@ namespace myolines::study
       dup2(nothing, STDIN_FILENO);
       dup2(console, STDOUT_FILENO);
       dup2(console, STDERR_FILENO);
+      close_range(STDERR_FILENO + 1, ~0u, 0); // locks and databases are the parent's
       sigprocmask(SIG_SETMASK, &signals, nullptr);
-      execve(arguments[0], arguments, environment);
-      _exit(127);
+    }
+
+    [[noreturn]] void run_and_end(const std::function<int()> &body)
+    {
+      const int exit_code = body();
+      std::cout.flush();
+      std::fflush(nullptr);
+      _exit(exit_code); // no destructors of the parent's objects
     }
 
     double seconds(const timeval &time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
@@ -92,13 +100,33 @@ namespace myolines::study
   {
     std::vector<std::string> words = command, variables = environment_at_start();
     const auto               arguments = pointers(words), environment = pointers(variables);
-    const int                file = open(console.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    return fork_child(
+        [&] {
+          execve(arguments[0], arguments.data(), environment.data());
+          _exit(127);
+        },
+        console);
+  }
+
+  pid_t Processes::start(const std::function<int()> &body, const std::filesystem::path &console)
+  {
+    std::cout.flush();
+    std::fflush(nullptr); // or the child writes it again
+    return fork_child([&] { run_and_end(body); }, console);
+  }
+
+  pid_t Processes::fork_child(const std::function<void()> &child, const std::filesystem::path &console)
+  {
+    const int file = open(console.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0)
       throw std::runtime_error("cannot write " + console.string() + ": " + std::strerror(errno));
     const pid_t parent  = getpid();
     const pid_t process = fork();
     if (process == 0)
-      become(arguments.data(), environment.data(), file, parent, before_);
+      {
+        set_up_child(file, parent, before_);
+        child();
+      }
     close(file);
     if (process < 0)
       throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno));

@@ -138,7 +138,10 @@ namespace myolines::study
         const std::vector<std::string> command = command_of(job, folder);
         job.command                            = shell_text(command);
         job.begin                              = Clock::now();
-        running_.emplace(processes_.start(command, folder / "console.txt"), job);
+        const std::filesystem::path console    = folder / "console.txt";
+        const bool                  in_copy    = options_.run_in_copy && study_.ranks == 1;
+        running_.emplace(
+            in_copy ? processes_.start([&] { return options_.run_in_copy(command); }, console) : processes_.start(command, console), job);
       }
 
       std::vector<std::string> command_of(const Job &job, const std::filesystem::path &folder) const

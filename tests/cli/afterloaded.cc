@@ -1,4 +1,5 @@
 // The scene of an afterloaded contraction: its columns, its three phases, and what `check` says of it.
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +7,7 @@
 namespace
 {
   const std::string scene =
-      MYOLINES_SOURCE_DIR "/input/afterloaded_contraction.xml --set system/geometry/refinement=0 --set time/step=0.01";
+      myolines::test::source_folder() + "/input/afterloaded_contraction.xml --set system/geometry/refinement=0 --set time/step=0.01";
 
   std::vector<std::string> split(const std::string &line)
   {
@@ -59,7 +60,7 @@ TEST(AfterloadedContraction, CheckTellsOfItsTieAndItsStop)
   const std::string told = run_program(folder, "check " + scene).out;
   EXPECT_NE(told.find("on   ties: load (x+) moves as one, held across; 8 relations between unknowns"), std::string::npos) << told;
   EXPECT_NE(told.find("on   springs at faces: load (x+) has a stop at 0 m"), std::string::npos) << told;
-  const std::string plain = run_program(folder, "check " MYOLINES_SOURCE_DIR "/input/isometric_block.xml").out;
+  const std::string plain = run_program(folder, "check " + myolines::test::source_folder() + "/input/isometric_block.xml").out;
   EXPECT_NE(plain.find("off  ties: no face"), std::string::npos) << plain;
   EXPECT_NE(plain.find("off  springs at faces: no foundation, tendon or stop"), std::string::npos) << plain;
 }

@@ -1,3 +1,4 @@
+#include "../support/places.h"
 #include "program_runner.h"
 #include "small_scenes.h"
 
@@ -127,7 +128,7 @@ TEST(Check, TellsSizesStepsAndWarnings)
 TEST(Check, WarnsWhereAMethodCarriesAccelerationsAcrossAJumpOfVelocity)
 {
   const TestFolder  folder;
-  const std::string coarse   = "check " MYOLINES_SOURCE_DIR "/input/kinked_block.xml --set system/geometry/refinement=1 ";
+  const std::string coarse   = "check " + myolines::test::source_folder() + "/input/kinked_block.xml --set system/geometry/refinement=1 ";
   const std::string exact    = "--set 'time/boundary rates=exact' --set time/events=restart ";
   const auto        warnings = [&](const std::string &arguments) {
     const Outcome outcome = run_program(folder, coarse + arguments);

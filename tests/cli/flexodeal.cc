@@ -1,3 +1,4 @@
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <myolines/base/error.h>
@@ -11,7 +12,7 @@ using namespace myolines;
 
 namespace
 {
-  const std::filesystem::path data = std::filesystem::path(MYOLINES_SOURCE_DIR) / "tests/data/flexodeal";
+  const std::filesystem::path data = std::filesystem::path(myolines::test::source_folder()) / "tests/data/flexodeal";
 
   FlexodealOptions options(const TestFolder &folder)
   {
@@ -53,7 +54,7 @@ TEST(Flexodeal, AMeshReplacesTheBody)
   std::ostringstream out;
   FlexodealOptions   files = options(folder);
   files.parameters         = changed(folder, "set Grid scale          = 1e-3", "set Grid scale = 1");
-  files.mesh               = MYOLINES_SOURCE_DIR "/input/gastrocnemius_running/gastrocnemius.msh";
+  files.mesh               = myolines::test::source_folder() + "/input/gastrocnemius_running/gastrocnemius.msh";
   files.ends               = {"proximal end", "distal end"};
   import_flexodeal(files, out);
   const scene::Node scene    = read_whole_scene(files.scene, {});

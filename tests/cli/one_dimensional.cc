@@ -1,3 +1,4 @@
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <gtest/gtest.h>
@@ -7,8 +8,8 @@
 
 namespace
 {
-  const std::string unit  = MYOLINES_SOURCE_DIR "/input/one_dimensional/muscle_tendon_unit.xml";
-  const std::string chain = MYOLINES_SOURCE_DIR "/input/one_dimensional/isometric_chain.xml";
+  const std::string unit  = myolines::test::source_folder() + "/input/one_dimensional/muscle_tendon_unit.xml";
+  const std::string chain = myolines::test::source_folder() + "/input/one_dimensional/isometric_chain.xml";
 
   std::vector<std::string> lines(const std::filesystem::path &file)
   {

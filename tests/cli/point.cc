@@ -1,4 +1,5 @@
 // The single-point driver against closed forms.
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 
 namespace
 {
-  const std::string input = MYOLINES_SOURCE_DIR "/input/";
+  const std::string input = myolines::test::source_folder() + "/input/";
 
   /// The numbers of the row of @p file whose first entry is nearest to @p x.
   std::vector<double> row_at(const std::filesystem::path &file, const double x)

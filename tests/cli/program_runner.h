@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../support/places.h"
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -54,10 +55,10 @@ struct Outcome
 /// Runs the program, built as the target `myolines`, with @p arguments in @p folder.
 inline Outcome run_program(const TestFolder &folder, const std::string &arguments)
 {
-  if (!std::filesystem::exists(MYOLINES_PROGRAM))
-    throw std::runtime_error("build the target myolines first: " MYOLINES_PROGRAM " is not there");
+  if (!std::filesystem::exists(myolines::test::program_file()))
+    throw std::runtime_error("build the target myolines first: " + myolines::test::program_file() + " is not there");
   const std::string command =
-      "cd '" + folder.path().string() + "' && '" MYOLINES_PROGRAM "' " + arguments + " > out.txt 2> err.txt < /dev/null";
+      "cd '" + folder.path().string() + "' && '" + myolines::test::program_file() + "' " + arguments + " > out.txt 2> err.txt < /dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out.txt"), contents(folder / "err.txt")};
 }

@@ -1,6 +1,7 @@
 // Requirement: muscles in one dimension that are resumed from a checkpoint write the tables of a run that was not interrupted, byte for
 // byte.
 
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace
   /// A scene of input/one_dimensional, its step control left out: steps of 1 ms.
   std::string with_fixed_steps(const std::string &name)
   {
-    std::string       scene = contents(MYOLINES_SOURCE_DIR "/input/one_dimensional/" + name);
+    std::string       scene = contents(myolines::test::source_folder() + "/input/one_dimensional/" + name);
     const std::size_t begin = scene.find("    <ParameterList name=\"control\">"),
                       end   = scene.find("  </ParameterList>\n  <ParameterList name=\"output\">");
     if (begin == std::string::npos || end == std::string::npos || end < begin)

@@ -1,5 +1,6 @@
 // Requirement: a rod resumed from a checkpoint writes the tables of a run that was not interrupted, byte for byte, with every method.
 
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <myolines/time/integrator.h>
@@ -16,7 +17,7 @@ namespace
   {
     RodFolder()
     {
-      std::string       scene = contents(MYOLINES_SOURCE_DIR "/input/rod_neo_hookean.xml");
+      std::string       scene = contents(myolines::test::source_folder() + "/input/rod_neo_hookean.xml");
       const std::size_t begin = scene.find("<Parameter name=\"alpha\""); // of its method, which is no parameter of others
       if (begin == std::string::npos)
         throw std::logic_error("the scene of the rod has changed");
@@ -69,7 +70,7 @@ TEST(ResumeRod, ALinearRodGoesOnBitForBit)
   // step sizes differ in their last bits; factors made for one of them serve the others, but must not outlive a checkpoint
   const TestFolder folder;
   const auto       run = [&](const std::string &out, const std::string &end, const std::string &more = "") {
-    const Outcome outcome = run_program(folder, "run " MYOLINES_SOURCE_DIR "/input/rod_linear.xml --quiet --out " + out +
+    const Outcome outcome = run_program(folder, "run " + myolines::test::source_folder() + "/input/rod_linear.xml --quiet --out " + out +
                                                           " --set time/end=" + end + " --set output/checkpoint/every=20 " + more);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   };

@@ -1,4 +1,5 @@
 // What a scene does not need is not computed: the ledger of whole runs, and what `check` says of it.
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +8,7 @@
 
 namespace
 {
-  const std::string input = MYOLINES_SOURCE_DIR "/input/";
+  const std::string input = myolines::test::source_folder() + "/input/";
 
   const std::string small = " --set system/geometry/refinement=1 --set 'system/discretisation/quadrature points=3'"
                             " --set time/step=0.05 --set time/end=0.1";

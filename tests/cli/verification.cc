@@ -1,4 +1,5 @@
 // Scenes of input/ against numbers of other programs.
+#include "../support/places.h"
 #include "program_runner.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@ namespace
   /// The last row of a CSV file of the run `run ARGUMENTS`.
   std::vector<double> last_row(const TestFolder &folder, const std::string &arguments, const std::string &file)
   {
-    const Outcome outcome = run_program(folder, "run " MYOLINES_SOURCE_DIR "/input/" + arguments + " --quiet --out out");
+    const Outcome outcome = run_program(folder, "run " + myolines::test::source_folder() + "/input/" + arguments + " --quiet --out out");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     std::istringstream lines(contents(folder / "out" / file));
     std::string        last;

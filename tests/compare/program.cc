@@ -1,5 +1,6 @@
 // Requirement: `myolines compare` of real runs, and what it refuses.
 
+#include "../support/places.h"
 #include "../cli/program_runner.h"
 #include "../cli/small_scenes.h"
 
@@ -94,7 +95,7 @@ TEST_F(Compare, Ranks)
     // not as a child of this process, whose MPI library has set variables that mpirun would heed
     const std::string command = "cd '" + folder.path().string() +
                                 "' && env -i PATH=\"$PATH\" HOME=/tmp OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-                                "OMPI_MCA_rmaps_base_oversubscribe=1 mpirun -np 2 '" MYOLINES_PROGRAM "' " +
+                                "OMPI_MCA_rmaps_base_oversubscribe=1 mpirun -np 2 '" + myolines::test::program_file() + "' " +
                                 arguments + " > out.txt 2> err.txt";
     return std::system(command.c_str());
   };

@@ -1,4 +1,5 @@
 // Curves of appendix A.2 against independently computed values, differences, and quadrature.
+#include "../support/places.h"
 #include <myolines/materials/tissue.h>
 
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ namespace myolines
 
     TEST(Curves, EqualIndependentValues)
     {
-      std::ifstream file(MYOLINES_SOURCE_DIR "/tests/data/curves_3d_eval.csv");
+      std::ifstream file(myolines::test::source_folder() + "/tests/data/curves_3d_eval.csv");
       ASSERT_TRUE(file);
       std::string line;
       int         compared = 0;

@@ -1,5 +1,6 @@
 // Requirement: every registered method runs the muscle from one line of a scene, or is refused by name with a reason.
 
+#include "../support/places.h"
 #include "../cli/program_runner.h"
 
 #include <myolines/time/integrator.h>
@@ -23,7 +24,7 @@ namespace
   {
     const TestFolder folder;
     return run_program(folder,
-                       "run '" MYOLINES_SOURCE_DIR "/input/kinked_block.xml' --quiet --out out --set \"integrator/type=" + method.name +
+                       "run '" + myolines::test::source_folder() + "/input/kinked_block.xml' --quiet --out out --set \"integrator/type=" + method.name +
                            "\" --set time/end=" + end + " --set time/step=" + step + " --set system/geometry/refinement=0 " + more);
   }
 
@@ -91,7 +92,7 @@ TEST_P(EveryMethod, RunsTheQuasiStaticMuscleOrSaysWhyNot)
 TEST_P(EveryMethod, StandsInASceneOfTheInputFolder)
 {
   std::string scenes;
-  for (const auto &file : std::filesystem::directory_iterator(MYOLINES_SOURCE_DIR "/input"))
+  for (const auto &file : std::filesystem::directory_iterator(myolines::test::source_folder() + "/input"))
     scenes += contents(file.path());
   EXPECT_NE(scenes.find("\"integrator/type=" + GetParam().facts.name + "\""), std::string::npos);
 }

@@ -1,3 +1,4 @@
+#include "../support/places.h"
 #include "measured_run.h"
 
 #include "../cli/program_runner.h"
@@ -63,7 +64,7 @@ namespace myolines::testing
                   "output/checkpoint/every=1000000"};
     all.insert(all.end(), overrides.begin(), overrides.end());
     const TestFolder folder; // of the checkpoint
-    Experiment       experiment(read_whole_scene(MYOLINES_SOURCE_DIR "/input/" + scene, all));
+    Experiment       experiment(read_whole_scene(myolines::test::source_folder() + "/input/" + scene, all));
     MeasuredRun      run;
     Watch            watch(dynamic_cast<const Muscle3dSystem &>(*experiment.assembled().system), experiment.ledger(), run);
     experiment.run({&watch}, folder.path(), [] { return 0; });

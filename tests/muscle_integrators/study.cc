@@ -1,3 +1,4 @@
+#include "../support/places.h"
 #include "study.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace myolines::testing
 {
   std::vector<StudyEntry> study(const unsigned int refinement, const std::string &scheme)
   {
-    const std::string file = MYOLINES_SOURCE_DIR "/tests/data/integrators_3d.csv";
+    const std::string file = myolines::test::source_folder() + "/tests/data/integrators_3d.csv";
     std::ifstream     stream(file);
     if (!stream)
       throw std::runtime_error(file + " cannot be read");

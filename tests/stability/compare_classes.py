@@ -20,7 +20,7 @@ def rows(file):
 
 def main(program, study, expected, folder):
     shutil.rmtree(folder, ignore_errors=True)
-    subprocess.run([program, "study", study, "--out", folder], check=True)
+    subprocess.run([program, "study", study, "--out", folder, "--jobs", "1"], check=True)
     found = {row["case"]: row for row in rows(folder + "/study.csv") if row["role"] == "case"}
     wanted = {row["case"]: row["class"] for row in rows(expected)}
     problems = [f"{case}: not in the study" for case in wanted if case not in found]

@@ -1,3 +1,4 @@
+#include "../support/places.h"
 #include "study_files.h"
 
 #include <myolines/study/csv_table.h>
@@ -29,7 +30,7 @@ namespace
   {
     Processes   processes;
     const pid_t driver =
-        processes.start({MYOLINES_PROGRAM, "study", (folder / "study.xml").string(), "--out", (folder / "killed").string(), "--jobs", "2"},
+        processes.start({myolines::test::program_file(), "study", (folder / "study.xml").string(), "--out", (folder / "killed").string(), "--jobs", "2"},
                         folder / "console");
     std::vector<Ended> ended;
     while (ended.empty() && count(contents(folder / "killed/study.log"), "  done  ") < n)
@@ -123,7 +124,7 @@ TEST(StudyProgram, ReferenceIsCrossChecked)
 TEST(StudyProgram, MeasuresRatesOfFieldsInSpaceAndInBoth)
 {
   const StudyFolder folder;
-  folder.write("scene.xml", contents(MYOLINES_SOURCE_DIR "/input/rod_linear.xml"));
+  folder.write("scene.xml", contents(myolines::test::source_folder() + "/input/rod_linear.xml"));
   const std::string elements = groups("size", {{"0.125", "system/elements=4"}, {"0.0625", "system/elements=8"}});
   const auto        quantity = [](const std::string &field) { return section(field, parameter("type", "field") + parameter("of", field)); };
   const std::string halved   = listed("step", "time/step", "0.01 | 0.005", parameter("zipped with", "size"));
@@ -166,7 +167,7 @@ TEST(StudyProgram, StudiesThatComeAlongAreValid)
 {
   const TestFolder folder;
   std::size_t      n = 0;
-  for (const auto &entry : std::filesystem::directory_iterator(MYOLINES_SOURCE_DIR "/input/studies"))
+  for (const auto &entry : std::filesystem::directory_iterator(myolines::test::source_folder() + "/input/studies"))
     {
       const ::Outcome outcome = run_program(folder, "study '" + entry.path().string() + "' --list");
       EXPECT_EQ(outcome.exit_code, 0) << entry.path() << "\n" << outcome.err;

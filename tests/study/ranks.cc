@@ -1,3 +1,4 @@
+#include "../support/places.h"
 #include "study_files.h"
 
 #include <myolines/study/csv_table.h>
@@ -42,7 +43,7 @@ namespace
 
   std::vector<std::string> study(const StudyFolder &folder, const std::string &out, const std::vector<std::string> &more = {})
   {
-    std::vector<std::string> words{MYOLINES_PROGRAM, "study", (folder / "study.xml").string(), "--out", (folder / out).string()};
+    std::vector<std::string> words{myolines::test::program_file(), "study", (folder / "study.xml").string(), "--out", (folder / out).string()};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }
@@ -60,7 +61,7 @@ namespace
   /// 64 cells of muscle, which two ranks share, in an isometric contraction of some steps.
   void write_muscle_study(const StudyFolder &folder, const std::string &more_settings = "")
   {
-    folder.write("scene.xml", contents(MYOLINES_SOURCE_DIR "/input/isometric_block.xml"));
+    folder.write("scene.xml", contents(myolines::test::source_folder() + "/input/isometric_block.xml"));
     const std::string force      = section("force", parameter("file", "reaction.csv") + parameter("column", "moving end x [N]") +
                                                         parameter("measure", "final")),
                       iterations = section("iterations", parameter("type", "count") + parameter("name", "newton iterations"));

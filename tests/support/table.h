@@ -1,5 +1,6 @@
 #pragma once
 
+#include "places.h"
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -12,7 +13,7 @@ namespace myolines::testing
   /// The cells of tests/data/@p name, comma-separated, less the header; no cell is quoted there.
   inline std::vector<Row> rows(const std::string &name)
   {
-    std::ifstream    file(MYOLINES_SOURCE_DIR "/tests/data/" + name);
+    std::ifstream    file(myolines::test::source_folder() + "/tests/data/" + name);
     std::vector<Row> all;
     std::string      line;
     std::getline(file, line);

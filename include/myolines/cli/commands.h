@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/cli/mpi_session.h>
 #include <myolines/study/command.h>
 
 #include <filesystem>
@@ -44,8 +45,9 @@ namespace myolines
   /// Prints and writes the smallest eigenvalues of the tangent at the states that a run has kept; see tangent_eigenvalues().
   void modes_along_command(const ModesAlongOptions &options, std::ostream &out);
 
-  /// Runs the study that @p options describe as runs of this program; what they leave open is set here.
-  void study_command(study::Options options, bool quiet, std::ostream &out);
+  /// Runs the study that @p options describe as runs of this program; what they leave open is set here. Cases of one rank run in copies
+  /// of this process unless @p mpi was started, so that the libraries are loaded once.
+  void study_command(study::Options options, bool quiet, MpiSession &mpi, std::ostream &out);
 
   /// The words `list` accepts.
   std::vector<std::string> list_topics();

@@ -29,7 +29,9 @@ namespace myolines::study
     std::string              emit;          ///< "slurm", "mpi": write that script and run nothing; "" for none
     unsigned int             tasks = 8;     ///< of the script: parts, one case at a time in each
 
-    std::filesystem::path program; ///< that has the command `run`
+    std::filesystem::path                                       program;     ///< that has the command `run`
+    std::function<int(const std::vector<std::string> &command)> run_in_copy; ///< see RunnerOptions; may be none
+    std::function<void()>                                       start_mpi;   ///< called after the runs and before they are measured
     /// The resolved scene of a case. @throws InputError if the settings do not fit the scene.
     std::function<std::string(const std::filesystem::path &scene, const std::vector<std::string> &settings)> resolve;
     std::function<int()>                                                                                     stop_signal;

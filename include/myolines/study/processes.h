@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,12 +32,19 @@ namespace myolines::study
     /// Starts @p command; what it prints goes to the file @p console. @throws std::runtime_error if the system refuses.
     pid_t start(const std::vector<std::string> &command, const std::filesystem::path &console);
 
+    /// Starts @p body in a copy of this process, which ends with the exit code that it returns. The copy has no open files of this
+    /// process. This process must have one thread and must not have started MPI. @throws as above.
+    pid_t start(const std::function<int()> &body, const std::filesystem::path &console);
+
     /// Waits until a process ends, a signal arrives or @p seconds have passed; all that have ended.
     std::vector<Ended> wait(double seconds);
 
     void send(pid_t process, int signal) const;
 
   private:
+    /// Forks; @p child runs in the child once it is set up, and ends it.
+    pid_t fork_child(const std::function<void()> &child, const std::filesystem::path &console);
+
     std::vector<pid_t> alive_;
     sigset_t           before_; ///< blocked signals
   };

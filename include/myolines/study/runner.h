@@ -13,10 +13,13 @@ namespace myolines::study
 {
   struct RunnerOptions
   {
-    std::filesystem::path program;       ///< that has the command `run`
-    std::filesystem::path folder;        ///< of the study; runs go to cases/<name> in it
-    unsigned int          jobs  = 1;     ///< runs at a time
-    bool                  retry = false; ///< cases that did not end as "done" are run again
+    std::filesystem::path program; ///< that has the command `run`
+    /// Runs a command line of the program in a copy of this process and returns its exit code; see Processes. If there is none, or
+    /// where a case has several ranks, each case is started as a process of its own.
+    std::function<int(const std::vector<std::string> &command)> run_in_copy;
+    std::filesystem::path                                       folder;        ///< of the study; runs go to cases/<name> in it
+    unsigned int                                                jobs  = 1;     ///< runs at a time
+    bool                                                        retry = false; ///< cases that did not end as "done" are run again
     /// The resolved scene of a case. @throws InputError if its settings do not fit the scene.
     std::function<std::string(const std::vector<std::string> &settings)> resolve;
     std::function<int()>                                                 stop_signal;        ///< 0 until one is noted
@@ -35,8 +38,8 @@ namespace myolines::study
   /// Folder of the run of a case.
   std::filesystem::path case_folder(const std::filesystem::path &study_folder, const std::string &case_name);
 
-  /// Runs the @p cases that @p database does not hold yet, or holds of another scene or without their folder, each as a process of
-  /// its own: `program run SCENE --set ... --out FOLDER --quiet`, under `mpirun -np RANKS` if the study has more than one. A case counts
+  /// Runs the @p cases that @p database does not hold yet, or holds of another scene or without their folder, each in a process
+  /// of its own: `program run SCENE --set ... --out FOLDER --quiet`, under `mpirun -np RANKS` if the study has more than one. A case counts
   /// once its process has ended by itself or by its time-out; its outcome is in the database before the next one starts. Killed at any
   /// moment and called again, it goes on with the cases that were not in the database. Progress goes to study.log in the folder and to the
   /// terminal.

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <deal.II/base/mpi.h>
+
+#include <memory>
+
+namespace myolines
+{
+  /// MPI and the libraries that are set up with it, from start() to the end of this object. One thread a rank: threads inside vector and
+  /// matrix operations only compete with the ranks.
+  class MpiSession
+  {
+  public:
+    /// @p argc and @p argv are those of main(), and live as long as this.
+    MpiSession(int &argc, char **&argv);
+
+    /// Did a launcher such as mpirun start this process as one rank of a job?
+    static bool is_rank_of_a_job();
+
+    /// Starts MPI unless that has been done. A process of its own does without the helper daemon that Open MPI gives to such processes
+    /// for the sake of those that start further ones.
+    void start();
+
+    /// Ends MPI before this object ends.
+    void end() { mpi_.reset(); }
+
+    bool started() const { return mpi_ != nullptr; }
+
+  private:
+    int                                                      &argc_;
+    char                                                   **&argv_;
+    std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> mpi_;
+  };
+} // namespace myolines

@@ -1,0 +1,33 @@
+#include <myolines/cli/mpi_session.h>
+
+#include <cstdlib>
+
+// Of OpenBLAS, where that is the BLAS in use.
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+
+namespace myolines
+{
+  MpiSession::MpiSession(int &argc, char **&argv)
+    : argc_(argc)
+    , argv_(argv)
+  {}
+
+  bool MpiSession::is_rank_of_a_job()
+  {
+    for (const char *variable : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+      if (std::getenv(variable) != nullptr)
+        return true;
+    return false;
+  }
+
+  void MpiSession::start()
+  {
+    if (started())
+      return;
+    if (!is_rank_of_a_job())
+      setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite*/ 0);
+    mpi_ = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc_, argv_, 1);
+    if (openblas_set_num_threads != nullptr)
+      openblas_set_num_threads(1);
+  }
+} // namespace myolines

@@ -1,0 +1,9 @@
+#pragma once
+
+#include <string>
+
+namespace myolines::test
+{
+  std::string source_folder(); ///< of this repository
+  std::string program_file();  ///< the program `myolines` of this build
+} // namespace myolines::test
