@@ -1,12 +1,20 @@
 #include <myolines/cli/mpi_session.h>
 
 #include <cstdlib>
+#include <utility>
 
 // Of OpenBLAS, where that is the BLAS in use.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace myolines
 {
+  namespace
+  {
+    /// For Open MPI, of a process that is no rank of a job: no helper daemon, and no search for networks that it will not use.
+    constexpr std::pair<const char *, const char *> alone[] = {
+        {"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_pml", "ob1"}, {"OMPI_MCA_btl", "self"}};
+  } // namespace
+
   MpiSession::MpiSession(int &argc, char **&argv)
     : argc_(argc)
     , argv_(argv)
@@ -25,7 +33,8 @@ namespace myolines
     if (started())
       return;
     if (!is_rank_of_a_job())
-      setenv("OMPI_MCA_ess_singleton_isolated", "1", /*overwrite*/ 0);
+      for (const auto &[variable, value] : alone)
+        setenv(variable, value, /*overwrite*/ 0);
     mpi_ = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc_, argv_, 1);
     if (openblas_set_num_threads != nullptr)
       openblas_set_num_threads(1);

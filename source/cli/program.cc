@@ -287,7 +287,7 @@ namespace myolines
         {
           // Other ranks may not know of it and wait: whoever fails says so and ends the whole job.
           std::cerr << "Internal error: " << error.what() << std::endl;
-          if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          if (dealii::Utilities::MPI::job_supports_mpi() && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
             MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
           return ExitCode::internal_error;
         }

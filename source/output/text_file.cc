@@ -16,7 +16,10 @@
 
 namespace myolines
 {
-  bool writes_files() { return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0; }
+  bool writes_files()
+  {
+    return !dealii::Utilities::MPI::job_supports_mpi() || dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  }
 
   void replace_file(const std::filesystem::path &file, const std::string &text)
   {
@@ -55,7 +58,8 @@ namespace myolines
         {
           problem = error.what();
         }
-    problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
+    if (dealii::Utilities::MPI::job_supports_mpi())
+      problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
     if (!problem.empty())
       throw InputError(InputProblem{where, problem, expected, hint});
   }

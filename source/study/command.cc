@@ -223,7 +223,7 @@ namespace myolines::study
 
   void study_command(const Options &options, std::ostream &out)
   {
-    if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    if (dealii::Utilities::MPI::job_supports_mpi() && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
       throw InputError(InputProblem{"mpirun", "a study is started as one process, which starts the runs", "myolines study ...",
                                     "--emit mpi writes a script for many ranks"});
     const scene::Node       node  = read_study_file(options.file, options.overrides);

@@ -17,8 +17,8 @@ namespace myolines
     /// Did a launcher such as mpirun start this process as one rank of a job?
     static bool is_rank_of_a_job();
 
-    /// Starts MPI unless that has been done. A process of its own does without the helper daemon that Open MPI gives to such processes
-    /// for the sake of those that start further ones.
+    /// Starts MPI unless that has been done. A process that is no rank of a job does without networks, and without the helper daemon that
+    /// Open MPI gives to such processes; variables of the environment that are set already are respected.
     void start();
 
     /// Ends MPI before this object ends.

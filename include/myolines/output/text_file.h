@@ -6,7 +6,7 @@
 
 namespace myolines
 {
-  /// True on the one rank that writes text files (rank 0, also without MPI). Values to write are the same on all ranks.
+  /// True on the one rank that writes text files: rank 0, also without MPI or before it is started. Values to write are the same on all ranks.
   bool writes_files();
 
   /// Replaces @p file by @p text in one move, so that a reader or a kill never sees half of it. Does nothing on ranks
