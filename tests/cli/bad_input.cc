@@ -108,7 +108,7 @@ namespace
       command("import_of_nothing", "import flexodeal a.prm b.dat c.dat --out s.xml", "a.prm"),
   };
 
-  class BadInputs : public testing::TestWithParam<BadInput>
+  class BadInputs : public ::testing::TestWithParam<BadInput>
   {
   };
 } // namespace
@@ -124,7 +124,7 @@ TEST_P(BadInputs, AreRefused)
   EXPECT_EQ(outcome.out, "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, BadInputs, testing::ValuesIn(bad_inputs), [](const auto &info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Table, BadInputs, ::testing::ValuesIn(bad_inputs), [](const auto &info) { return info.param.name; });
 
 /// A misspelt command is all that is told: not that one is required.
 TEST(BadInput, UnknownCommandsAreToldOnce)

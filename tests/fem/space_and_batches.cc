@@ -8,7 +8,7 @@ namespace myolines
 {
   namespace
   {
-    class Space : public testing::TestWithParam<unsigned int>
+    class Space : public ::testing::TestWithParam<unsigned int>
     {
     protected:
       Space()
@@ -91,6 +91,6 @@ namespace myolines
       EXPECT_NEAR(volume, dealii::GridTools::volume(mesh_), 1e-12);
     }
 
-    INSTANTIATE_TEST_SUITE_P(Degrees, Space, testing::Values(1u, 2u, 3u));
+    INSTANTIATE_TEST_SUITE_P(Degrees, Space, ::testing::Values(1u, 2u, 3u));
   } // namespace
 } // namespace myolines

@@ -11,7 +11,7 @@ namespace myolines
   namespace
   {
     /// Symmetric positive definite random element matrices on a small block with a fixed end.
-    class Stars : public testing::TestWithParam<unsigned int>
+    class Stars : public ::testing::TestWithParam<unsigned int>
     {
     protected:
       Stars()
@@ -143,6 +143,6 @@ namespace myolines
       EXPECT_NEAR(back * x, r * fine, 1e-11);
     }
 
-    INSTANTIATE_TEST_SUITE_P(Degree, Stars, testing::Values(1u, 2u, 3u));
+    INSTANTIATE_TEST_SUITE_P(Degree, Stars, ::testing::Values(1u, 2u, 3u));
   } // namespace
 } // namespace myolines

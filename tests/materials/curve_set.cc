@@ -94,7 +94,7 @@ namespace myolines
         }
     }
 
-    class Tables : public testing::Test
+    class Tables : public ::testing::Test
     {
     protected:
       std::filesystem::path folder_ = test::temporary("curve_tables");

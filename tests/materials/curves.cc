@@ -88,7 +88,7 @@ namespace myolines
     }
 
     /// Every registered tissue; what its fibres do is asked of the tissue alone.
-    class Tissue : public testing::TestWithParam<TissueKind>
+    class Tissue : public ::testing::TestWithParam<TissueKind>
     {
     protected:
       static Activation level(const double a)
@@ -142,6 +142,6 @@ namespace myolines
       EXPECT_EQ(fat[material_yeoh], 323.91);
     }
 
-    INSTANTIATE_TEST_SUITE_P(All, Tissue, testing::ValuesIn(tissue_kinds()), [](const auto &info) { return info.param.name; });
+    INSTANTIATE_TEST_SUITE_P(All, Tissue, ::testing::ValuesIn(tissue_kinds()), [](const auto &info) { return info.param.name; });
   } // namespace
 } // namespace myolines

@@ -20,7 +20,6 @@ namespace
   {
   };
 
-  double number(const Row &row, const std::size_t column) { return std::stod(row.at(column)); }
 } // namespace
 
 // muscle_tendon_units.csv: ESDIRK4(3), thinned to every 0.1 s; stated errors 5e-7 of stretches, 1e-5 of strain rates, 1.1e-5 of forces.

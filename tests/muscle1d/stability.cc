@@ -13,7 +13,6 @@ using namespace myolines::testing;
 
 namespace
 {
-  double number(const Row &row, const std::size_t column) { return std::stod(row.at(column)); }
 
   std::vector<std::complex<double>> chain_modes(const Overrides &settings)
   {

@@ -75,7 +75,7 @@ namespace myolines
       EXPECT_LT(r.l2_norm(), 1e-13 * residual(plain).l2_norm());
     }
 
-    class Scenes : public testing::Test
+    class Scenes : public ::testing::Test
     {
     protected:
       static Muscle3dParameters read(const std::string &lists)

@@ -234,7 +234,7 @@ namespace myolines
     }
 
     /// |drift| of the energy balance of a twitch against everything that stores, pulls and presses.
-    std::pair<double, double> drift(const unsigned int steps)
+    std::pair<double, double> drift_of_a_twitch(const unsigned int steps)
     {
       Muscle3dParameters p       = test::small_block(2, 3, 0);
       p.geometry.cells           = {{2, 1, 1}};
@@ -272,8 +272,8 @@ namespace myolines
 
     TEST(EnergyBalance, ClosesWithSpringsAndFollowerPressures)
     {
-      const auto [coarse, scale] = drift(80);
-      const auto [fine, unused]  = drift(160);
+      const auto [coarse, scale] = drift_of_a_twitch(80);
+      const auto [fine, unused]  = drift_of_a_twitch(160);
       (void) unused;
       EXPECT_LT(std::abs(fine), 0.05 * scale);
       EXPECT_NEAR(coarse / fine, 2., 0.3) << coarse << " " << fine << " of " << scale;

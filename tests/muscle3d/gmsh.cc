@@ -17,7 +17,7 @@ namespace myolines
 {
   namespace
   {
-    class Gmsh : public testing::Test
+    class Gmsh : public ::testing::Test
     {
     protected:
       Gmsh()

@@ -15,7 +15,7 @@ namespace myolines
     using Matrix = dealii::Tensor<2, 3>;
     using Arrow  = dealii::Tensor<1, 3>;
 
-    class Invariance : public testing::TestWithParam<unsigned int>
+    class Invariance : public ::testing::TestWithParam<unsigned int>
     {
     protected:
       Invariance()
@@ -130,6 +130,6 @@ namespace myolines
       EXPECT_NEAR(total, 1060 * volume, 1e-12 * total);
     }
 
-    INSTANTIATE_TEST_SUITE_P(Degrees, Invariance, testing::Values(1u, 2u, 3u));
+    INSTANTIATE_TEST_SUITE_P(Degrees, Invariance, ::testing::Values(1u, 2u, 3u));
   } // namespace
 } // namespace myolines

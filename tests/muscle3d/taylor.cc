@@ -41,7 +41,7 @@ namespace myolines
       return all;
     }
 
-    class Taylor : public testing::TestWithParam<Case>
+    class Taylor : public ::testing::TestWithParam<Case>
     {
     protected:
       Taylor()
@@ -283,6 +283,6 @@ namespace myolines
           }
     }
 
-    INSTANTIATE_TEST_SUITE_P(All, Taylor, testing::ValuesIn(cases()), [](const auto &info) { return info.param.name; });
+    INSTANTIATE_TEST_SUITE_P(All, Taylor, ::testing::ValuesIn(cases()), [](const auto &info) { return info.param.name; });
   } // namespace
 } // namespace myolines

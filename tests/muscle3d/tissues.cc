@@ -90,7 +90,7 @@ namespace myolines
     }
 
     /// F_int . u is the integral of P : Grad u, which the parts of the work density add up to.
-    class StressParts : public testing::TestWithParam<double>
+    class StressParts : public ::testing::TestWithParam<double>
     {
     };
 
@@ -113,9 +113,9 @@ namespace myolines
         }
     }
 
-    INSTANTIATE_TEST_SUITE_P(Fat, StressParts, testing::Values(0., 0.3, 1.));
+    INSTANTIATE_TEST_SUITE_P(Fat, StressParts, ::testing::Values(0., 0.3, 1.));
 
-    class Fields : public testing::Test
+    class Fields : public ::testing::Test
     {
     protected:
       Vector residual_with(const BodyFields &fields) const

@@ -14,7 +14,7 @@ using namespace myolines::scene;
 
 namespace
 {
-  class CsvInput : public testing::Test
+  class CsvInput : public ::testing::Test
   {
   protected:
     const std::filesystem::path file_ = test::temporary("csv_input.csv");

@@ -118,7 +118,7 @@ struct Mistake
   std::string where, what, expected, hint;
 };
 
-class Mistakes : public testing::TestWithParam<Mistake>
+class Mistakes : public ::testing::TestWithParam<Mistake>
 {
 };
 
@@ -137,7 +137,7 @@ const std::string face = parameter("face", "string", "left");
 
 INSTANTIATE_TEST_SUITE_P(
     All, Mistakes,
-    testing::Values(
+    ::testing::Values(
         Mistake{"misspelt", sublist("body", parameter("lenght", "double", "1")), "body/lenght", "unknown parameter \"lenght\"", "",
                 "\"length\""},
         Mistake{"unknown_list", sublist("bodi", ""), "bodi", "unknown list \"bodi\"", "", "\"body\""},

@@ -27,4 +27,6 @@ namespace myolines::testing
       }
     return all;
   }
+
+  inline double number(const Row &row, const std::size_t column) { return std::stod(row.at(column)); }
 } // namespace myolines::testing

@@ -13,7 +13,7 @@ namespace
 {
   std::unique_ptr<StepControl> control(const Overrides &overrides) { return make_step_control(node(time_schema(), overrides)); }
 
-  StepReport failed()
+  StepReport unsolved()
   {
     StepReport report;
     report.outcome = StepReport::Outcome::not_converged;
@@ -107,16 +107,16 @@ TEST(StepControl, fixedGivesUpAtOnce)
 {
   const auto fixed = control({"end=1", "step=0.1", "control/type=fixed"});
   EXPECT_EQ(fixed->propose(0), 0.1);
-  EXPECT_FALSE(fixed->rejected(0, 0.1, failed()));
+  EXPECT_FALSE(fixed->rejected(0, 0.1, unsolved()));
 }
 
 TEST(StepControl, cutBackHalvesGrowsAndStaysOnTheGridOfThePlan)
 {
   const auto cut = control({"end=1", "step=0.125"});
   EXPECT_EQ(cut->propose(0), 0.125);
-  ASSERT_TRUE(cut->rejected(0, 0.125, failed()));
+  ASSERT_TRUE(cut->rejected(0, 0.125, unsolved()));
   EXPECT_EQ(cut->propose(0), 0.0625);
-  ASSERT_TRUE(cut->rejected(0, 0.0625, failed()));
+  ASSERT_TRUE(cut->rejected(0, 0.0625, unsolved()));
   EXPECT_EQ(cut->propose(0), 0.03125);
   cut->accepted(0.03125, 0.03125, {});
   EXPECT_EQ(cut->propose(0.03125), 0.046875) << "two equal parts to the planned end";
@@ -132,12 +132,12 @@ TEST(StepControl, cutBackHasLimits)
   const auto few = control({"end=1", "step=0.1", "control/maximum cuts=3"});
   double     dt  = 0.1;
   for (unsigned int cut = 1; cut <= 3; ++cut, dt /= 2)
-    EXPECT_TRUE(few->rejected(0, dt, failed())) << cut;
-  EXPECT_FALSE(few->rejected(0, dt, failed()));
+    EXPECT_TRUE(few->rejected(0, dt, unsolved())) << cut;
+  EXPECT_FALSE(few->rejected(0, dt, unsolved()));
 
   const auto coarse = control({"end=1", "step=0.1", "control/minimum step=0.04"});
-  EXPECT_TRUE(coarse->rejected(0, 0.1, failed()));
-  EXPECT_FALSE(coarse->rejected(0, 0.05, failed()));
+  EXPECT_TRUE(coarse->rejected(0, 0.1, unsolved()));
+  EXPECT_FALSE(coarse->rejected(0, 0.05, unsolved()));
 }
 
 TEST(StepControl, cutBackGivesUpBeforeRoundOffOfTheTimeDecides)
@@ -145,7 +145,7 @@ TEST(StepControl, cutBackGivesUpBeforeRoundOffOfTheTimeDecides)
   const auto   cut = control({"end=1", "step=0.1", "control/maximum cuts=50"});
   const double t   = 0.5041477257601371;
   unsigned int n   = 0;
-  for (double dt = 0.1; cut->rejected(t, dt, failed()); ++n)
+  for (double dt = 0.1; cut->rejected(t, dt, unsolved()); ++n)
     {
       dt = cut->propose(t);
       ASSERT_NEAR(t + dt - t, dt, dt / 4);
@@ -157,8 +157,8 @@ TEST(StepControl, cutBackGivesUpBeforeRoundOffOfTheTimeDecides)
 TEST(StepControl, cutBackIsRestoredFromAnArchive)
 {
   const auto first = control({"end=1", "step=0.1"}), second = control({"end=1", "step=0.1"});
-  first->rejected(0, 0.1, failed());
-  first->rejected(0, 0.05, failed());
+  first->rejected(0, 0.1, unsolved());
+  first->rejected(0, 0.05, unsolved());
   Archive archive;
   first->save(archive);
   second->load(archive);
@@ -169,7 +169,7 @@ TEST(StepControl, cutBackIsRestoredFromAnArchive)
 TEST(StepControl, cutsToEqualStepsWhereAMethodTakesNoLonger)
 {
   const auto explicit_steps = control({"end=10", "step=0.1"});
-  StepReport refused        = failed();
+  StepReport refused        = unsolved();
   refused.longest_step      = 0.03;
   ASSERT_TRUE(explicit_steps->rejected(0, 0.1, refused));
   double t = 0;
