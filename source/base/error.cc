@@ -1,5 +1,7 @@
 #include <myolines/base/error.h>
 
+#include <cstring>
+
 namespace myolines
 {
   namespace
@@ -28,5 +30,14 @@ namespace myolines
 
   InputError::InputError(InputProblem problem)
     : InputError(std::vector<InputProblem>{std::move(problem)})
+  {}
+
+  SystemError::SystemError(const std::string &verb, const std::filesystem::path &file, const int error_number)
+    : SystemError("cannot " + verb + " " + file.string() + ": " + std::strerror(error_number), error_number)
+  {}
+
+  SystemError::SystemError(const std::string &what, const int error_number)
+    : std::runtime_error(what)
+    , error_number_(error_number)
   {}
 } // namespace myolines

@@ -59,10 +59,12 @@ namespace myolines
 
   std::string shell_text(const std::vector<std::string> &words)
   {
-    std::string text;
+    // What no shell gives a meaning; everything else is quoted.
+    constexpr const char *harmless = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./=:@%+,-";
+    std::string           text;
     for (const std::string &word : words)
       {
-        const bool  plain = !word.empty() && word.find_first_of(" \t\n'\"\\$`;&|<>()*?#") == std::string::npos;
+        const bool  plain = !word.empty() && word.find_first_not_of(harmless) == std::string::npos;
         std::string quoted;
         for (const char c : word)
           quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);

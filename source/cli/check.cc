@@ -1,3 +1,4 @@
+#include <myolines/base/scratch_folder.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
@@ -6,37 +7,10 @@
 
 #include <algorithm>
 
-#include <stdlib.h>
-
 namespace myolines
 {
   namespace
   {
-    /// A folder of its own that vanishes with the object, for outputs that are made only to see whether they can be.
-    class ScratchFolder
-    {
-    public:
-      ScratchFolder()
-      {
-        std::string name = (std::filesystem::temp_directory_path() / "myolines_check_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-          throw std::runtime_error("cannot make a folder in " + std::filesystem::temp_directory_path().string());
-        path_ = name;
-      }
-      ~ScratchFolder()
-      {
-        std::error_code ignored; // a left-over folder must not hide the verdict
-        std::filesystem::remove_all(path_, ignored);
-      }
-      ScratchFolder(const ScratchFolder &)            = delete;
-      ScratchFolder &operator=(const ScratchFolder &) = delete;
-
-      const std::filesystem::path &path() const { return path_; }
-
-    private:
-      std::filesystem::path path_;
-    };
-
     void print_method(const Experiment &experiment, std::ostream &out)
     {
       const MethodFacts &facts = experiment.method();

@@ -1,7 +1,9 @@
+#include <myolines/base/checksum.h>
 #include <myolines/base/error.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
+#include <myolines/output/text_file.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/start.h>
 
@@ -67,6 +69,9 @@ namespace myolines
                                       assembled_.system->capabilities().linear);
     error_norm_  = make_error_norm(scene_.section("time"), *assembled_.system);
     make_method();
+    for (const std::filesystem::path &file : scene_.files())
+      if (writes_files())
+        inputs_[file.string()] = checksum_of_file(file);
   }
 
   void Experiment::make_method()
@@ -97,19 +102,33 @@ namespace myolines
   {
     const scene::Node &time     = scene_.section("time");
     const double       rounding = std::numeric_limits<double>::epsilon() * std::max(std::abs(settings_.start), std::abs(settings_.end));
-    const auto         require  = [&](const std::string &parameter, const double size) {
+    const auto         require  = [&](const scene::Node &list, const std::string &parameter, const double size, const std::string &kind) {
       if (size > rounding)
         return;
       std::ostringstream what, expected;
-      what << "a step of " << size << " s is below the rounding of the times";
-      expected << "steps longer than " << rounding << " s";
-      time.refuse(parameter, what.str(), expected.str());
+      what << "a" << (kind == "interval" ? "n " : " ") << kind << " of " << size << " s is below the rounding of the times";
+      expected << kind << "s longer than " << rounding << " s";
+      list.refuse(parameter, what.str(), expected.str());
     };
     if (time.has("step"))
-      require("step", time.number("step"));
+      require(time, "step", time.number("step"), "step");
     if (time.has("steps"))
       for (const SchedulePiece &piece : parse_schedule(time.text("steps"), time, "steps"))
-        require("steps", piece.size);
+        require(time, "steps", piece.size, "step");
+    for (const scene::Node *output : intervals())
+      require(*output, "interval", output->number("interval"), "interval");
+  }
+
+  /// The lists of the output that have rows at equal intervals.
+  std::vector<const scene::Node *> Experiment::intervals() const
+  {
+    std::vector<const scene::Node *> lists;
+    const scene::Node               &output = scene_.section("output");
+    for (const scene::Schema::Section &section : system_entry(scene_.section("system").text("type"), "").output.sections())
+      for (const scene::Entry &entry : section.schema->entries())
+        if (entry.name == "interval" && output.has(section.name))
+          lists.push_back(&output.section(section.name));
+    return lists;
   }
 
   /// When a moving boundary first changes its velocity abruptly, from rest at the start included; the same on all ranks.
@@ -143,6 +162,13 @@ namespace myolines
   std::vector<std::string> Experiment::warnings() const
   {
     std::vector<std::string> warnings = assembled_.warnings;
+    for (const scene::Node *output : intervals())
+      if (const double rows = (settings_.end - settings_.start) / output->number("interval"); rows >= 1e6)
+        {
+          std::ostringstream text;
+          text << "output/" << output->name() << " will have " << rows << " rows: its interval is " << output->number("interval") << " s";
+          warnings.push_back(text.str());
+        }
     const bool of_scheme = boundary_rates(scene_.section("time")) == BoundaryRates::scheme && settings_.events != Events::restart;
     const bool iterates  = method_.facts.solves == MethodFacts::Solves::nonlinear_equations;
     if (self_paced_)
@@ -170,6 +196,7 @@ namespace myolines
   void Experiment::resume(const Checkpoint &checkpoint)
   {
     settings_.steps_done = checkpoint.step;
+    settings_.resumed    = true;
     time_method().load(checkpoint.integrator);
     if (control_)
       control_->load(checkpoint.control);
@@ -189,7 +216,7 @@ namespace myolines
     if (!resumed_ && starts_from_equilibrium(time))
       start_from_equilibrium({*assembled_.system, nonlinear_, boundary_rates(time), ledger_}, state);
     CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
-                            {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_),
+                            {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_), inputs_,
                              [this] { nonlinear_.forget(); }, stop_signal},
                             folder);
     if (self_paced_)

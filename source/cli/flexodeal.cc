@@ -5,12 +5,12 @@
 #include <myolines/cli/prm_file.h>
 #include <myolines/muscle3d/parameters.h>
 #include <myolines/output/text_file.h>
+#include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/time/step_control.h>
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace myolines
@@ -211,9 +211,7 @@ namespace myolines
     std::vector<std::string> read_rows(const std::filesystem::path &file, const unsigned int n_names, const unsigned int n_words,
                                        const std::string &expected)
     {
-      std::ifstream stream(file);
-      if (!stream || std::filesystem::is_directory(file))
-        throw InputError(InputProblem{file.string(), "the file cannot be read", "lines of " + expected, ""});
+      std::istringstream       stream(scene::read_input_text(file));
       std::vector<std::string> rows;
       unsigned int             number = 0;
       for (std::string line; std::getline(stream, line);)
@@ -376,14 +374,8 @@ namespace myolines
   {
     const PeerParameters peer(options.parameters);
     const std::string    xml = validated(translate(options, peer, out), options.scene);
-    try
-      {
-        replace_file(options.scene, xml);
-      }
-    catch (const std::exception &error)
-      {
-        throw InputError(InputProblem{options.scene.string(), error.what(), "a path in a folder that exists and can be written", ""});
-      }
+    on_writing_rank(options.scene.string(), "a path in a folder that exists and can be written", "",
+                    [&] { replace_file(options.scene, xml); });
     name_what_is_lost(peer, !options.markers.empty(), !options.points.empty(), out);
     out << "scene written: " << options.scene.string() << "\n";
   }

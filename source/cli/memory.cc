@@ -1,10 +1,11 @@
+#include <myolines/base/error.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/memory.h>
+#include <myolines/cli/memory_limit.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/solve/preconditioner.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace myolines
     /// Bytes on one rank.
     struct Need
     {
-      double program        = 0.2e9; ///< the program with its libraries, measured
+      double program        = memory_of_the_program;
       double system         = 0;
       double krylov         = 0;
       double preconditioner = 0;
@@ -45,8 +46,9 @@ namespace myolines
       const scene::Node &system         = scene.section("system");
       const scene::Node &linear         = scene.section("solver").section("linear");
       const scene::Node &preconditioner = scene.section("solver").section("preconditioner");
-      const double       ranks          = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-      const SizeEstimate size           = system_entry(system.text("type"), system.where("type")).size(system, ranks);
+      const double       ranks          = // a study asks before MPI starts
+          dealii::Utilities::MPI::job_supports_mpi() ? dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) : 1;
+      const SizeEstimate size = system_entry(system.text("type"), system.where("type")).size(system, ranks);
 
       Need need;
       need.system = size.bytes;
@@ -66,8 +68,6 @@ namespace myolines
       return ranks;
     }
 
-    double physical_memory() { return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE)); }
-
     std::string gigabytes(const double bytes)
     {
       std::ostringstream text;
@@ -77,24 +77,43 @@ namespace myolines
     }
   } // namespace
 
+  double memory_of_a_rank(const scene::Node &scene) { return need(scene).total(); }
+
   std::vector<std::string> memory_lines(const scene::Node &scene)
   {
-    const Need n = need(scene);
+    const Need        n     = need(scene);
+    const MemoryLimit limit = memory_limit();
     return {"memory of a rank: about " + gigabytes(n.total()) + " (program " + gigabytes(n.program) + ", system and tangent " +
                 gigabytes(n.system) + ", Krylov vectors " + gigabytes(n.krylov) + ", preconditioner " + gigabytes(n.preconditioner) + ")",
-            "memory of this node: " + gigabytes(physical_memory()) + " for " + std::to_string(ranks_of_this_node()) + " rank(s)"};
+            "memory of this node: " + gigabytes(limit.bytes) + ", " + limit.origin + ", for " + std::to_string(ranks_of_this_node()) +
+                " rank(s)"};
   }
 
   void refuse_too_large(const scene::Node &scene)
   {
     const double       wanted = need(scene).total();
     const unsigned int ranks  = ranks_of_this_node();
-    const bool         fits   = wanted * ranks <= physical_memory();
+    const MemoryLimit  limit  = memory_limit();
+    const bool         fits   = wanted * ranks <= limit.bytes && wanted <= memory_limit_of_a_process();
     if (dealii::Utilities::MPI::min(fits ? 1 : 0, MPI_COMM_WORLD) == 1)
       return;
     scene.refuse("system", "the run wants about " + gigabytes(wanted) + " for each of " + std::to_string(ranks) + " rank(s) of a node",
-                 "at most the physical memory of the node, " + gigabytes(physical_memory()),
+                 wanted * ranks > limit.bytes ? "at most the memory of the node, " + gigabytes(limit.bytes) + ", " + limit.origin
+                                              : "at most what a process may take, " + gigabytes(memory_limit_of_a_process()) + " (ulimit)",
                  "a smaller system/geometry/refinement or degree, more nodes with fewer ranks on each, or solver/preconditioner/type "
                  "\"p multigrid\" instead of direct or ml");
+  }
+
+  unsigned int jobs_that_fit(const double bytes_of_a_run, const unsigned int wanted, const bool asked_for)
+  {
+    const MemoryLimit limit = memory_limit();
+    const double      fit   = std::floor(limit.bytes / bytes_of_a_run);
+    if (fit >= wanted)
+      return wanted;
+    if (asked_for)
+      throw InputError(InputProblem{"--jobs", std::to_string(wanted) + " runs at a time want about " + gigabytes(wanted * bytes_of_a_run),
+                                    "at most the memory of the node, " + gigabytes(limit.bytes) + ", " + limit.origin,
+                                    fit >= 1 ? "--jobs " + scene::format_number(fit) : "smaller runs"});
+    return std::max(1u, static_cast<unsigned int>(fit));
   }
 } // namespace myolines

@@ -2,6 +2,7 @@
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/resume.h>
 #include <myolines/output/csv_file.h>
+#include <myolines/output/manifest.h>
 #include <myolines/output/text_file.h>
 #include <myolines/solve/modes.h>
 #include <myolines/solve/tangent_eigenvalues.h>
@@ -109,6 +110,8 @@ namespace myolines
     const std::filesystem::path file = options.file.empty() ? options.run / "modes.csv" : options.file;
     require_writable(file);
     CsvFile csv(folder_of(file), file.filename().string(), columns);
+    if (options.file.empty())
+      list_in_manifest(options.run, {file.filename().string()});
     out << "Smallest eigenvalues of the tangent " << unit << ", at rest in the configurations of " << options.run.string() << "\n";
     std::optional<std::pair<double, double>> before; // time, smallest eigenvalue
     for (const CheckpointReader &reader : states)

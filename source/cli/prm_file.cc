@@ -1,10 +1,11 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/cli/prm_file.h>
+#include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>
-#include <fstream>
+#include <sstream>
 
 namespace myolines
 {
@@ -72,12 +73,10 @@ namespace myolines
 
   std::vector<PrmEntry> read_prm(const std::filesystem::path &file)
   {
-    std::ifstream stream(file);
-    if (!stream || std::filesystem::is_directory(file))
-      throw InputError(InputProblem{file.string(), "the file cannot be read", "a parameter file of Flexodeal Lite", ""});
-    PrmReader    reader(file.string());
-    unsigned int line = 0;
-    std::string  statement;
+    std::istringstream stream(scene::read_input_text(file));
+    PrmReader          reader(file.string());
+    unsigned int       line = 0;
+    std::string        statement;
     for (std::string text; std::getline(stream, text);)
       {
         ++line;

@@ -13,8 +13,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
+#include <csignal>
 #include <functional>
 #include <iostream>
+#include <new>
+#include <thread>
 
 namespace myolines
 {
@@ -40,7 +44,9 @@ namespace myolines
         , mpi_(mpi)
       {
         app.require_subcommand(1);
-        app.footer("Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed or a signal stopped the run.");
+        app.footer(
+            "Exit codes: 0 done, 1 internal error, 2 invalid input, 3 the solve failed or a signal stopped the run, 4 the system refused "
+            "(disk, memory, permission).");
         add_run();
         add_check();
         add_modes();
@@ -77,7 +83,8 @@ namespace myolines
         CLI::App *command = add(app, "run", "Runs a scene", [this] { run_command(run, out_); });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
         command->add_option("--out", run.folder, "Where to write; default: results/ and the name of the scene")->type_name("DIR");
-        command->add_flag("--resume", run.resume, "Goes on from the checkpoint in the output folder");
+        CLI::Option *resume = command->add_flag("--resume", run.resume, "Goes on from the checkpoint in the output folder");
+        command->add_flag("--overwrite", run.overwrite, "Removes results of another scene from the output folder")->excludes(resume);
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
         add_overrides(command);
       }
@@ -260,6 +267,27 @@ namespace myolines
       return static_cast<int>(ExitCode::invalid_input);
     }
 
+    /// Other ranks may not know of it and wait: whoever fails says so and ends the whole job.
+    ExitCode end_alone(const std::string &kind, const std::string &what, const ExitCode code)
+    {
+      const bool several = dealii::Utilities::MPI::job_supports_mpi() && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
+      if (several && !writes_files())
+        std::this_thread::sleep_for(std::chrono::seconds(1)); // if the first rank knows of it as well, it says so
+      std::cerr << kind << what << std::endl;
+      if (several)
+        MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+      return code;
+    }
+
+    /// What was printed may not have arrived.
+    ExitCode flushed(const ExitCode code)
+    {
+      if (std::cout.flush() || code != ExitCode::done)
+        return code;
+      std::cerr << "The system refused: cannot write standard output" << std::endl;
+      return ExitCode::system_refused;
+    }
+
     ExitCode guarded(const std::function<void()> &command, std::ostream &err)
     {
       try
@@ -283,19 +311,29 @@ namespace myolines
           err << "The run was " << error.what() << std::endl;
           return ExitCode::solve_failed;
         }
+      catch (const SystemError &error)
+        {
+          return end_alone("The system refused: ", error.what(), ExitCode::system_refused);
+        }
+      catch (const std::filesystem::filesystem_error &error)
+        {
+          return end_alone("The system refused: ", "cannot use " + error.path1().string() + ": " + error.code().message(),
+                           ExitCode::system_refused);
+        }
+      catch (const std::bad_alloc &)
+        {
+          return end_alone("The system refused: ", "out of memory", ExitCode::system_refused);
+        }
       catch (const std::exception &error)
         {
-          // Other ranks may not know of it and wait: whoever fails says so and ends the whole job.
-          std::cerr << "Internal error: " << error.what() << std::endl;
-          if (dealii::Utilities::MPI::job_supports_mpi() && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-            MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ExitCode::internal_error));
-          return ExitCode::internal_error;
+          return end_alone("Internal error: ", error.what(), ExitCode::internal_error);
         }
     }
   } // namespace
 
   int program(const int argc, const char *const *argv, MpiSession &mpi)
   {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told where it is written
     const bool is_study = argc > 1 && std::string(argv[1]) == "study";
     if (!is_study || MpiSession::is_rank_of_a_job())
       mpi.start();
@@ -312,6 +350,7 @@ namespace myolines
         return refuse_command_line(line.app, error, argc, argv, out, err);
       }
     line.run.command_line = shell_text(std::vector<std::string>(argv, argv + argc));
-    return static_cast<int>(guarded(line.chosen, err));
+    line.run.program      = argv[0];
+    return static_cast<int>(flushed(guarded(line.chosen, err)));
   }
 } // namespace myolines

@@ -1,9 +1,14 @@
+#include <myolines/base/checksum.h>
+#include <myolines/base/names.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/core_share.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/resume.h>
 #include <myolines/cli/stop_signals.h>
+#include <myolines/output/csv_file.h>
+#include <myolines/output/manifest.h>
 #include <myolines/output/outputs.h>
+#include <myolines/output/run_folder.h>
 #include <myolines/output/text_file.h>
 
 #include <ctime>
@@ -12,51 +17,6 @@ namespace myolines
 {
   namespace
   {
-    bool is_series(const std::string &name)
-    {
-      const std::string peer    = "-3d.csv";
-      const bool        of_peer = name.size() > peer.size() && name.compare(name.size() - peer.size(), peer.size(), peer) == 0;
-      for (const char *ours : {"reaction.csv", "energy_balance.csv", "gearing.csv", "trajectory.csv", "trace.csv", "motion.csv",
-                               "nodal_states.csv", "muscle_tendon.csv", "stretches.csv", "equilibria.csv", "modes.csv", "steps.csv",
-                               "ledger.json", "checkpoint", "checkpoint.new"})
-        if (name == ours)
-          return true;
-      return of_peer || (name.rfind("force_data-3d-", 0) == 0 && name.find(".csv") != std::string::npos);
-    }
-
-    /// Removes what an earlier run left, so that old series or fields never stand beside new ones: files of our own names
-    /// in a folder that holds our manifest.
-    void remove_old_results(const std::filesystem::path &folder)
-    {
-      if (!std::filesystem::exists(folder / "manifest.json"))
-        return;
-      std::vector<std::filesystem::path> old;
-      for (const auto &entry : std::filesystem::directory_iterator(folder))
-        {
-          const std::string name = entry.path().filename().string(), extension = entry.path().extension().string();
-          const bool        field = name.rfind("fields", 0) == 0 && (extension == ".vtu" || extension == ".pvtu" || extension == ".pvd" ||
-                                                              extension == ".h5" || extension == ".xdmf");
-          const bool        table = name.rfind("quadrature-", 0) == 0 && extension == ".h5";
-          if (entry.is_regular_file() && (field || table || is_series(name)))
-            old.push_back(entry.path());
-        }
-      for (const auto &file : kept_state_files(folder))
-        old.push_back(file);
-      for (const auto &file : old)
-        std::filesystem::remove(file);
-    }
-
-    /// Makes the folder and tries to write there; what an earlier run left goes, unless this one goes on with it.
-    void prepare_folder(const std::filesystem::path &folder, const bool resume, const scene::Node &scene)
-    {
-      on_writing_rank("output folder " + folder.string(), "a folder that can be made and written", "choose another one with --out", [&] {
-        std::filesystem::create_directories(folder);
-        replace_file(folder / "scene.resolved.xml", scene::resolved_xml(scene));
-        if (!resume)
-          remove_old_results(folder);
-      });
-    }
-
     /// Counts what happened, for the closing words.
     class Tally : public Observer
     {
@@ -73,11 +33,13 @@ namespace myolines
       std::size_t steps = 0, rejections = 0;
     };
 
-    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally)
+    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally,
+                          const std::function<void()> &files_are_known)
     {
       auto outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
       outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
       outputs.push_back(make_steps_file(folder));
+      files_are_known();
       std::vector<Observer *> observers{&tally};
       for (const auto &output : outputs)
         observers.push_back(output.get());
@@ -87,18 +49,15 @@ namespace myolines
       experiment.ledger().add_seconds("CPU of the run", static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
 
-    void say_where_to_look(const std::filesystem::path &folder, std::ostream &out)
+    void say_where_to_look(const std::string &program, const OutputFolder &folder, std::ostream &out)
     {
-      out << "Results are in " << folder.string() << ":\n";
-      for (const char *series : {"reaction.csv", "trajectory.csv", "muscle_tendon.csv", "stretches.csv"})
-        if (std::filesystem::exists(folder / series))
-          out << "  *.csv        time series, units in the header, for example\n"
-              << "               gnuplot -p -e \"set datafile separator ','; set key autotitle columnhead; plot '"
-              << (folder / series).string() << "' using 1:2 with lines\"\n";
-      if (std::filesystem::exists(folder / "fields.pvd"))
-        out << "  fields.pvd   fields, for ParaView\n";
-      if (std::filesystem::exists(folder / "fields.xdmf"))
-        out << "  fields.xdmf  fields, for ParaView\n";
+      const auto is_written = [&folder](const std::string &name) { return folder.noted().count(name) > 0; };
+      out << "Results are in " << shell_text({folder.path.string()}) << ":\n"
+          << "  *.csv        time series, units in the header; pictures of them:\n"
+          << "               " << shell_text({program, "plot", folder.path.string()}) << "\n";
+      for (const char *fields : {"fields.pvd", "fields.xdmf"})
+        if (is_written(fields))
+          out << "  " << fields << std::string(13 - std::string(fields).size(), ' ') << "fields, for ParaView\n";
       out << "  steps.csv, run.log, ledger.json   steps, iterations and work\n"
           << "  checkpoint   the last state: --resume goes on from it, --set time/end=... extends the run\n"
           << "  scene.resolved.xml, manifest.json   what was run, and with what\n";
@@ -112,6 +71,8 @@ namespace myolines
         }
       catch (const InputError &error)
         {
+          if (std::filesystem::exists(checkpoint_file(folder)))
+            throw; // it is damaged
           InputProblem problem = error.problems().front();
           problem.hint         = "name the folder of the run with --out; a run that has no checkpoint yet is started without --resume";
           throw InputError(problem);
@@ -130,12 +91,24 @@ namespace myolines
       return reader.read(*experiment.assembled().system);
     }
 
+    /// Files that the scene names and that are not as they were when the run was kept: its past was computed with others.
+    std::vector<std::string> changed_inputs(const Checkpoint &checkpoint, const std::map<std::string, std::string> &now)
+    {
+      std::vector<std::string> changed;
+      for (const auto &[file, checksum] : checkpoint.inputs)
+        if (const auto found = now.find(file); found != now.end() && found->second != checksum)
+          changed.push_back(file + " has changed since: what comes before was computed with another content");
+      return changed;
+    }
+
     /// "after step 4 at t = 0.1 s; ranks: 2 instead of 1".
-    std::string resumed_text(const Checkpoint &checkpoint)
+    std::string resumed_text(const Checkpoint &checkpoint, const std::vector<std::string> &changed)
     {
       std::string text = "after step " + std::to_string(checkpoint.step) + " at t = " + exact_text(checkpoint.state.t) + " s";
       for (const std::string &change : changes_of_machine(checkpoint))
         text += "; " + change + " (results agree to solver tolerance)";
+      for (const std::string &change : changed)
+        text += "; " + change;
       return text;
     }
 
@@ -143,41 +116,63 @@ namespace myolines
     {
       if (!std::filesystem::exists(checkpoint_file(folder)))
         return "";
-      return "\nThe last accepted state is saved. To resume: " + options.command_line + (options.resume ? "" : " --resume");
+      std::string command = options.command_line;
+      if (const std::string once = " --overwrite"; options.overwrite)
+        command.erase(command.find(once), once.size());
+      return "\nA state is saved. To resume: " + command + (options.resume ? "" : " --resume");
     }
   } // namespace
 
   void run_command(const RunOptions &options, std::ostream &out)
   {
-    const std::string           started = iso8601_now();
+    RunRecord                   record{options.command_line, iso8601_now(), "", {}};
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
-    const std::filesystem::path folder = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
+    const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
+    const std::string           resolved = scene::resolved_xml(experiment.scene());
+    record.inputs                        = experiment.inputs();
+    if (writes_files())
+      record.inputs[options.scene.string()] = checksum_of_file(options.scene);
 
+    if (options.resume)
+      open_checkpoint(path); // or nothing is made there
+    const RunFolder           folder(path);
     std::optional<Checkpoint> checkpoint;
-    std::string               resumed;
     if (options.resume)
       {
-        checkpoint = read_checkpoint(experiment, options, folder);
-        resumed    = resumed_text(*checkpoint);
-        if (checkpoint->state.t == experiment.settings().end && run_is_done(folder))
+        checkpoint         = read_checkpoint(experiment, options, path);
+        const auto changed = changed_inputs(*checkpoint, experiment.inputs());
+        record.resumed     = resumed_text(*checkpoint, changed);
+        for (const std::string &change : changed)
+          out << "Warning: " << change << "\n";
+        if (checkpoint->state.t == experiment.settings().end && run_is_done(path))
           {
             if (!options.quiet)
-              out << "The run in " << folder.string() << " is finished: " << checkpoint->step
+              out << "The run in " << path.string() << " is finished: " << checkpoint->step
                   << " steps to t = " << exact_text(checkpoint->state.t) << " s. A later end extends it: --set time/end=...\n";
             return;
           }
+        require_tables(path, checkpoint->outputs);
         experiment.resume(*checkpoint);
         if (!options.quiet)
-          out << "Resumed " << resumed << ".\n";
+          out << "Resumed " << record.resumed << ".\n";
       }
 
-    prepare_folder(folder, options.resume, experiment.scene());
-    const auto book = [&](const std::string &reason) { write_manifest(folder, options.command_line, started, resumed, reason); };
-    book("running"); // what a killed run leaves
-    const auto close = [&](const std::string &reason) {
+    const OutputFolder outputs = checkpoint ? folder.resume(resolved, checkpoint->outputs) : folder.begin(resolved, options.overwrite);
+    const auto         book    = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
+    const auto         close   = [&](const std::string &reason) {
       book(reason);
-      write_ledger(folder, experiment.ledger());
+      write_ledger(outputs, experiment.ledger());
     };
+    const auto close_failed = [&](const std::string &reason) {
+      try
+        {
+          close(reason);
+        }
+      catch (const SystemError &)
+        {} // never in place of the first reason
+    };
+    const std::string running = "running"; // what a killed run leaves
+    book(running);
     if (!options.quiet)
       {
         for (const std::string &warning : experiment.warnings())
@@ -188,27 +183,32 @@ namespace myolines
     Tally tally;
     try
       {
-        run_with_outputs(experiment, {folder, checkpoint ? &checkpoint->outputs : nullptr}, options.quiet, tally);
+        run_with_outputs(experiment, outputs, options.quiet, tally, [&] { book(running); });
       }
     catch (const SolveError &error)
       {
-        close(error.what());
-        throw SolveError(error.what() + how_to_resume(options, folder));
+        close_failed(error.what());
+        throw SolveError(error.what() + how_to_resume(options, path));
       }
     catch (const Interrupted &error)
       {
-        close(error.what());
-        throw Interrupted(error.what() + how_to_resume(options, folder));
+        close_failed(error.what());
+        throw Interrupted(error.what() + how_to_resume(options, path));
+      }
+    catch (const SystemError &error)
+      {
+        close_failed(std::string("the system refused: ") + error.what());
+        throw SystemError(error.what() + how_to_resume(options, path), error.error_number());
       }
     catch (const std::exception &error)
       {
-        close(error.what());
+        close_failed(error.what());
         throw;
       }
     close("done");
     if (options.quiet)
       return;
     out << "Done: " << tally.steps << " steps to t = " << exact_text(tally.t) << " s, " << tally.rejections << " rejected.\n";
-    say_where_to_look(folder, out);
+    say_where_to_look(options.program, outputs, out);
   }
 } // namespace myolines

@@ -17,9 +17,17 @@ namespace myolines
     {
     };
     action.sa_handler = note_signal;
-    action.sa_flags   = SA_RESTART | static_cast<int>(SA_RESETHAND);
+    struct sigaction ignore
+    {
+    };
+    ignore.sa_handler = SIG_IGN;
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      sigaction(numbers[i], &action, &before_[i]);
+      {
+        sigaction(numbers[i], nullptr, &before_[i]);
+        const bool ignored = numbers[i] == SIGPIPE || (numbers[i] == SIGHUP && before_[i].sa_handler == SIG_IGN);
+        action.sa_flags    = SA_RESTART | (numbers[i] == SIGXCPU ? 0 : static_cast<int>(SA_RESETHAND)); // it comes every second
+        sigaction(numbers[i], ignored ? &ignore : &action, nullptr);
+      }
   }
 
   StopSignals::~StopSignals()

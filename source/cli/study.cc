@@ -1,11 +1,13 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
+#include <myolines/cli/memory.h>
 #include <myolines/cli/program.h>
 #include <myolines/cli/stop_signals.h>
 #include <myolines/study/processes.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace myolines
@@ -26,8 +28,14 @@ namespace myolines
       };
     options.stop_signal = [&signals] { return signals.noted(); };
     options.terminal    = !quiet && isatty(STDOUT_FILENO) ? &std::cout : nullptr;
-    options.resolve     = [](const std::filesystem::path &scene, const std::vector<std::string> &settings) {
-      return scene::resolved_xml(read_whole_scene(scene, settings));
+    double largest      = 0; // memory of a rank of a case
+    options.resolve     = [&largest](const std::filesystem::path &scene, const std::vector<std::string> &settings) {
+      const scene::Node node = read_whole_scene(scene, settings);
+      largest                = std::max(largest, memory_of_a_rank(node));
+      return scene::resolved_xml(node);
+    };
+    options.fitting_jobs = [&largest](const unsigned int wanted, const unsigned int ranks, const bool asked_for) {
+      return jobs_that_fit(largest + (ranks - 1) * memory_of_the_program, wanted, asked_for);
     };
     std::ostream nowhere(nullptr);
     study::study_command(options, quiet ? nowhere : out);

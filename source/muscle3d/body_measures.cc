@@ -3,6 +3,7 @@
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/surface_forces.h>
 
+#include <limits>
 #include <set>
 
 namespace myolines
@@ -130,7 +131,13 @@ namespace myolines
       x /= m.volume;
     m.l2_displacement = std::sqrt(m.l2_displacement);
     m.l2_pressure     = std::sqrt(m.l2_pressure);
-    if (m.slab_volume > 0)
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    if (!(m.slab_volume > 0)) // averages over no points
+      {
+        m.mean_stretch = m.mean_pennation = m.mean_strain_rate = none;
+        m.mean_velocity                                        = dealii::Tensor<1, 3>({none, none, none});
+      }
+    else
       {
         m.mean_stretch /= m.slab_volume;
         m.mean_pennation /= m.slab_volume;

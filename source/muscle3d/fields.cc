@@ -151,30 +151,45 @@ namespace myolines
       std::vector<std::unique_ptr<Vector>> data_;
     };
 
+    std::string number_of_file(const std::string &before, const unsigned int number, const std::string &after)
+    {
+      std::ostringstream name;
+      name << before << std::setw(4) << std::setfill('0') << number << after;
+      return name.str();
+    }
+
     using Filter = dealii::DataOutBase::DataOutFilter;
 
-    void write_mesh(const Filter &filter, const std::string &file, const MPI_Comm communicator)
+    void write_mesh(const Filter &filter, const std::filesystem::path &file, const MPI_Comm communicator)
     {
       const RowShare            points(filter.n_nodes(), communicator), cells(filter.n_cells(), communicator);
       std::vector<double>       positions;
       std::vector<unsigned int> vertices;
-      filter.fill_node_data(positions);
-      filter.fill_cell_data(points.before, vertices);
-      dealii::HDF5::File hdf5(file, dealii::HDF5::File::FileAccessMode::create, communicator);
-      write_rows(hdf5, "nodes", positions, points, {3});
-      write_rows(hdf5, "cells", vertices, cells, {8});
+      if (points.own > 0)
+        {
+          filter.fill_node_data(positions);
+          filter.fill_cell_data(points.before, vertices);
+        }
+      Hdf5File hdf5(file, communicator, {{"nodes", points.all, 3, false, {}}, {"cells", cells.all, 8, true, {}}});
+      hdf5.write(0, positions, points);
+      hdf5.write(1, vertices, cells);
+      hdf5.close();
     }
 
-    void write_data(const Filter &filter, const std::vector<std::string> &fields, const std::string &file, const MPI_Comm communicator)
+    void write_data(const Filter &filter, const std::vector<std::string> &fields, const std::filesystem::path &file,
+                    const MPI_Comm communicator)
     {
-      const RowShare     points(filter.n_nodes(), communicator);
-      dealii::HDF5::File hdf5(file, dealii::HDF5::File::FileAccessMode::create, communicator);
+      const RowShare         points(filter.n_nodes(), communicator);
+      std::vector<Hdf5Table> tables;
+      for (const std::string &field : fields)
+        tables.push_back({field_label(field), points.all, is_vector_field(field) ? 3u : 1u, false, {}});
+      Hdf5File hdf5(file, communicator, tables);
       for (unsigned int i = 0; i < fields.size(); ++i)
         {
-          const unsigned int width  = filter.get_data_set_dim(i);
-          const double      *values = filter.get_data_set(i);
-          write_rows(hdf5, filter.get_data_set_name(i), std::vector<double>(values, values + width * points.own), points, {width});
+          const double *values = points.own > 0 ? filter.get_data_set(i) : nullptr;
+          hdf5.write(i, std::vector<double>(values, values + tables[i].width * points.own), points);
         }
+      hdf5.close();
     }
   } // namespace
 
@@ -207,16 +222,30 @@ namespace myolines
     flags.write_higher_order_cells = true;
     patches.out.set_flags(flags);
     patches.out.build_patches(system.parameters().degree);
-    if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1)
-      return patches.out.write_vtu_with_pvtu_record(folder + "/", "fields", number, communicator, 4);
-    std::ostringstream name;
-    name << "fields-" << std::setw(4) << std::setfill('0') << number << ".vtu";
-    std::ofstream file(folder + "/" + name.str());
-    patches.out.write_vtu(file);
-    file.flush();
-    if (!file)
-      throw std::runtime_error("cannot write " + folder + "/" + name.str());
-    return name.str();
+    const auto text_of = [](const auto &write) {
+      std::ostringstream text;
+      write(text);
+      return text.str();
+    };
+    const auto piece = [number](const unsigned int rank) { return number_of_file("fields_", number, "." + std::to_string(rank) + ".vtu"); };
+    const std::string           whole = number_of_file("fields-", number, ".vtu");
+    const unsigned int          ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    const unsigned int          rank  = dealii::Utilities::MPI::this_mpi_process(communicator);
+    const std::filesystem::path place(folder);
+    on_all_ranks(communicator, [&] {
+      write_file(place / (ranks == 1 ? whole : piece(rank)), text_of([&](std::ostream &out) { patches.out.write_vtu(out); }));
+    });
+    if (ranks == 1)
+      return whole;
+    std::vector<std::string> pieces;
+    for (unsigned int r = 0; r < ranks; ++r)
+      pieces.push_back(piece(r));
+    const std::string record = number_of_file("fields_", number, ".pvtu");
+    on_all_ranks(communicator, [&] {
+      if (rank == 0)
+        write_file(place / record, text_of([&](std::ostream &out) { patches.out.write_pvtu_record(out, pieces); }));
+    });
+    return record;
   }
 
   FieldSizes field_sizes(const Muscle3dSystem &system)
@@ -231,20 +260,13 @@ namespace myolines
     FieldPatches patches(system, state, fields);
     patches.out.build_patches(system.parameters().degree);
     const MPI_Comm communicator = system.discretisation().communicator;
-    const Writers  writers(system.discretisation().batches->n_owned_batches() > 0, communicator);
-    if (writers.this_rank())
-      {
-        // Vertices shared by cells are not merged: discontinuous fields have a value in each cell.
-        dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(/*merge*/ false, /*xdmf*/ true));
-        patches.out.write_filtered_data(filter);
-        if (mesh)
-          write_mesh(filter, folder + "/" + *mesh, writers.communicator());
-        write_data(filter, fields, folder + "/" + file, writers.communicator());
-      }
-    MPI_Barrier(communicator);
-    const FieldSizes sizes = field_sizes(system);
+    // Vertices shared by cells are not merged: discontinuous fields have a value in each cell.
+    dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(/*merge*/ false, /*xdmf*/ true));
+    if (system.discretisation().batches->n_owned_batches() > 0)
+      patches.out.write_filtered_data(filter);
+    const std::filesystem::path place(folder);
     if (mesh)
-      require_size(folder + "/" + *mesh, sizes.points * 3 * sizeof(double) + sizes.cells * 8 * sizeof(unsigned int));
-    require_size(folder + "/" + file, sizes.points * fields.size() * sizeof(double));
+      write_mesh(filter, place / *mesh, communicator);
+    write_data(filter, fields, place / file, communicator);
   }
 } // namespace myolines

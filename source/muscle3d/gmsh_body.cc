@@ -1,7 +1,10 @@
+#include "gmsh_mesh.h"
 #include "hexahedra.h"
 
 #include <myolines/base/error.h>
+#include <myolines/base/files.h>
 #include <myolines/base/names.h>
+#include <myolines/base/scratch_folder.h>
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/cell_id.h>
 #include <myolines/muscle3d/gmsh_body.h>
@@ -37,24 +40,40 @@ namespace myolines
       return out.str();
     }
 
-    /// Gmsh, open on a file.
+    /// What is wrong with a file is told where the scene names it.
+    std::string mesh_in(const std::filesystem::path &file, const Refusal &refuse)
+    {
+      try
+        {
+          return gmsh_mesh(file);
+        }
+      catch (const InputError &error)
+        {
+          const InputProblem &problem = error.problems().front();
+          refuse(problem.where + ": " + problem.what, problem.expected, problem.hint);
+        }
+    }
+
+    /// Gmsh, open on the mesh in a file. It gets a copy of the mesh alone in a folder of its own: what it takes for a script it executes,
+    /// and beside a file it looks for options.
     class Session
     {
     public:
       Session(const std::filesystem::path &file, const Refusal &refuse)
       {
-        if (!std::filesystem::is_regular_file(file))
-          refuse("there is no file " + file.string(), "a mesh in a format of Gmsh, 2.2 or 4.1, ASCII or binary");
+        const ScratchFolder         scratch;
+        const std::filesystem::path copy = scratch.path() / "mesh.msh";
+        write_file(copy, mesh_in(file, refuse));
         gmsh::initialize(0, nullptr, false);
         try
           {
             gmsh::option::setNumber("General.Terminal", 0);
-            gmsh::open(file.string());
+            gmsh::open(copy.string());
           }
         catch (...)
           {
             gmsh::finalize();
-            refuse("Gmsh cannot read " + file.string(), "a mesh in a format of Gmsh, 2.2 or 4.1, ASCII or binary");
+            refuse("Gmsh cannot read " + file.string(), gmsh_formats);
           }
       }
       ~Session() { gmsh::finalize(); }

@@ -1,10 +1,10 @@
 #include "forest_order.h"
+#include "hdf5_tables.h"
 #include "point_states.h"
 
 #include <myolines/muscle3d/peer_point_data.h>
 
 #include <map>
-#include <stdexcept>
 
 namespace myolines
 {
@@ -34,12 +34,6 @@ namespace myolines
       float *next_;
     };
 
-    void throw_unless(const int error, const std::filesystem::path &file)
-    {
-      if (error != MPI_SUCCESS)
-        throw std::runtime_error("cannot write " + file.string());
-    }
-
     /// @p fill(row, position, point) for all points of this rank.
     template <typename Fill>
     void write(const Muscle3dSystem &system, const State &state, const unsigned int n_columns, const std::filesystem::path &file,
@@ -61,16 +55,10 @@ namespace myolines
       });
 
       // One file for all ranks, each behind those before it.
-      const unsigned long long own = values.size();
-      unsigned long long       end = 0;
-      MPI_Scan(&own, &end, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, d.communicator);
-      MPI_File handle;
-      throw_unless(MPI_File_open(d.communicator, file.c_str(), MPI_MODE_CREATE | MPI_MODE_WRONLY, MPI_INFO_NULL, &handle), file);
-      throw_unless(MPI_File_set_size(handle, 0), file);
-      const int written =
-          MPI_File_write_at_all(handle, (end - own) * sizeof(float), values.data(), static_cast<int>(own), MPI_FLOAT, MPI_STATUS_IGNORE);
-      throw_unless(MPI_File_close(&handle), file);
-      throw_unless(written, file);
+      const RowShare rows(cells.size() * d.element.n_points, d.communicator);
+      SharedFile     shared(file, d.communicator, SharedFile::Mode::write_anew);
+      shared.write(rows.before * n_columns * sizeof(float), values);
+      shared.close();
     }
   } // namespace
 

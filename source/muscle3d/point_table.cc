@@ -71,20 +71,6 @@ namespace myolines
       });
       return all;
     }
-
-    void write(const std::string &file, const double t, const std::vector<const Column *> &columns,
-               const std::vector<std::vector<double>> &values, const MPI_Comm communicator)
-    {
-      const RowShare     rows(values.front().size(), communicator);
-      dealii::HDF5::File hdf5(file, dealii::HDF5::File::FileAccessMode::create, communicator);
-      hdf5.set_attribute("Time [s]", t);
-      for (std::size_t c = 0; c < columns.size(); ++c)
-        {
-          dealii::HDF5::DataSet table = write_rows(hdf5, columns[c]->facts.name, values[c], rows, {});
-          table.set_attribute("unit", columns[c]->facts.unit);
-          table.set_attribute("meaning", columns[c]->facts.meaning);
-        }
-    }
   } // namespace
 
   const std::vector<PointColumn> &point_columns()
@@ -105,10 +91,13 @@ namespace myolines
     for (const std::string &name : names)
       columns.push_back(&column(name));
     const std::vector<std::vector<double>> own = values(system, state, columns);
-    const Writers                          writers(!own.front().empty(), communicator);
-    if (writers.this_rank())
-      write(file, state.t, columns, own, writers.communicator());
-    MPI_Barrier(communicator);
-    require_size(file, names.size() * system.n_cells() * system.discretisation().element.n_points * sizeof(double));
+    const RowShare                         rows(own.front().size(), communicator);
+    std::vector<Hdf5Table>                 tables;
+    for (const Column *column : columns)
+      tables.push_back({column->facts.name, rows.all, 0, false, {{"unit", column->facts.unit}, {"meaning", column->facts.meaning}}});
+    Hdf5File hdf5(file, communicator, tables, {{"Time [s]", state.t}});
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      hdf5.write(c, own[c], rows);
+    hdf5.close();
   }
 } // namespace myolines

@@ -36,6 +36,8 @@ namespace myolines
       run_.control->save(control_);
   }
 
+  void CheckpointKeeper::begun(const State &state) { write(state, 0, checkpoint_file(folder_)); }
+
   std::optional<std::string> CheckpointKeeper::accepted(const State &state, const std::size_t step)
   {
     if (run_.control != nullptr)
@@ -55,9 +57,8 @@ namespace myolines
 
   void CheckpointKeeper::ended(const State &state, const std::size_t step)
   {
-    if (step == 0)
-      return;
-    keep(state, step);
+    if (step > 0)
+      keep(state, step);
     write(state, step, checkpoint_file(folder_));
   }
 
@@ -101,6 +102,7 @@ namespace myolines
         observer->save(checkpoint.outputs);
       checkpoint.ledger          = run_.ledger;
       checkpoint.scene           = run_.scene;
+      checkpoint.inputs          = run_.inputs;
       checkpoint.ranks           = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
       checkpoint.instruction_set = name(widest_instruction_set());
       write_checkpoint(file, checkpoint, run_.system);

@@ -1,6 +1,9 @@
+#include <myolines/base/error.h>
+#include <myolines/base/names.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/text_file.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace myolines
@@ -25,46 +28,66 @@ namespace myolines
       return line;
     }
 
-    std::string entry(const std::string &name) { return "bytes of " + name; }
+    const std::string bytes_of    = "bytes of ";
+    const std::string checksum_of = "checksum of ";
+
+    /// "" if @p file begins as the table @p name did when @p saved was written; otherwise what is wrong.
+    std::string complaint(const std::filesystem::path &file, const std::string &name, const Archive &saved)
+    {
+      std::error_code none;
+      const auto      bytes = static_cast<std::size_t>(saved.number(bytes_of + name));
+      if (!std::filesystem::is_regular_file(file, none))
+        return "there is no such file any more";
+      if (std::filesystem::file_size(file, none) < bytes)
+        return "it is shorter than it was";
+      Checksum found;
+      found.add(read_file(file).substr(0, bytes));
+      if (static_cast<double>(found.value()) != saved.number(checksum_of + name))
+        return "its rows are not those that were written";
+      return "";
+    }
+
+    const std::string as_it_was = "the file of the run to resume, as it was when its state was saved";
+    const std::string mend      = "put it back, or run the scene from its start";
   } // namespace
 
   CsvFile::CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns)
     : name_(name)
-    , path_(folder.path / name)
+    , path_(folder.file(name))
     , n_columns_(columns.size())
   {
-    if (folder.saved != nullptr && folder.saved->has_numbers(entry(name)))
-      on_writing_rank(path_.string(), "the file of the run to resume, as it was when its state was saved",
-                      "put it back, or run the scene from its start",
-                      [&] { go_on(static_cast<std::uintmax_t>(folder.saved->number(entry(name))), columns); });
+    if (folder.saved != nullptr && folder.saved->has_numbers(bytes_of + name))
+      on_writing_rank(path_.string(), as_it_was, mend, [&] { go_on(*folder.saved, columns); });
     else
       {
         if (writes_files())
-          stream_.open(path_, std::ios::binary);
+          file_.emplace(path_, File::Mode::write_anew);
         write(columns);
       }
   }
 
-  void CsvFile::go_on(const std::uintmax_t bytes, const std::vector<std::string> &columns)
+  void CsvFile::go_on(const Archive &saved, const std::vector<std::string> &columns)
   {
-    std::string   header;
-    std::ifstream before(path_, std::ios::binary);
-    if (!std::getline(before, header))
-      throw std::runtime_error("cannot read the file");
+    if (const std::string wrong = complaint(path_, name_, saved); !wrong.empty())
+      throw std::runtime_error(wrong);
+    std::string       text   = read_file(path_);
+    const std::string header = text.substr(0, text.find('\n'));
     if (header != line_of(columns))
-      throw std::runtime_error("has the columns " + header + ", the scene now asks for " + line_of(columns));
-    if (std::filesystem::file_size(path_) < bytes)
-      throw std::runtime_error("is shorter than it was");
-    std::filesystem::resize_file(path_, bytes);
-    stream_.open(path_, std::ios::binary | std::ios::app);
+      throw std::runtime_error("it has the columns " + header + ", the scene now asks for " + line_of(columns));
+    size_ = static_cast<std::size_t>(saved.number(bytes_of + name_));
+    text.resize(size_);
+    checksum_.add(text);
+    file_.emplace(path_, File::Mode::write);
+    file_->resize(size_);
   }
 
   void CsvFile::save(Archive &archive) const
   {
-    if (!writes_files())
+    if (!file_)
       return;
-    sync_to_disk(path_);
-    archive.put(entry(name_), static_cast<double>(std::filesystem::file_size(path_)));
+    file_->sync();
+    archive.put(bytes_of + name_, static_cast<double>(size_));
+    archive.put(checksum_of + name_, static_cast<double>(checksum_.value()));
   }
 
   void CsvFile::row(const std::vector<double> &values)
@@ -72,7 +95,7 @@ namespace myolines
     std::vector<std::string> texts;
     texts.reserve(values.size());
     for (const double value : values)
-      texts.push_back(exact_text(value));
+      texts.push_back(std::isnan(value) ? "" : exact_text(value)); // what is not defined has no number
     row(texts);
   }
 
@@ -86,10 +109,40 @@ namespace myolines
 
   void CsvFile::write(const std::vector<std::string> &texts)
   {
-    if (!writes_files())
+    if (!file_)
       return;
-    stream_ << line_of(texts) << '\n' << std::flush;
-    if (!stream_)
-      throw std::runtime_error("cannot write " + path_.string());
+    const std::string line = line_of(texts) + "\n";
+    try
+      {
+        file_->write_at(size_, line.data(), line.size());
+      }
+    catch (const SystemError &)
+      {
+        try
+          {
+            file_->resize(size_); // half a row would be taken for a whole one
+          }
+        catch (const SystemError &)
+          {} // the first failure is the one to tell
+        throw;
+      }
+    size_ += line.size();
+    checksum_.add(line);
+  }
+
+  void require_tables(const std::filesystem::path &folder, const Archive &saved)
+  {
+    std::vector<std::string> wrong;
+    on_writing_rank(folder.string(), "the tables of the run to resume, as they were when its state was saved", mend, [&] {
+      for (const auto &[entry, bytes] : saved.all_numbers())
+        if (entry.rfind(bytes_of, 0) == 0)
+          {
+            const std::string name = entry.substr(bytes_of.size());
+            if (const std::string what = complaint(folder / name, name, saved); !what.empty())
+              wrong.push_back(name + ": " + what);
+          }
+      if (!wrong.empty())
+        throw std::runtime_error(join(wrong, "; "));
+    });
   }
 } // namespace myolines

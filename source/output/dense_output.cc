@@ -2,6 +2,9 @@
 #include <myolines/output/dense_output.h>
 #include <myolines/time/combination.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace myolines
 {
   State interpolate(const State &begin, const State &end, const double t, const bool inertia)
@@ -29,8 +32,28 @@ namespace myolines
     return state;
   }
 
-  DenseOutput::DenseOutput(std::function<double(std::size_t)> instant, std::string name, const OutputFolder &folder, const bool inertia)
-    : instant_(std::move(instant))
+  Instants multiples_of(const double interval)
+  {
+    return [interval](const double from) {
+      double n = std::ceil(from / interval);
+      while (n * interval < from) // the quotient was rounded
+        ++n;
+      while ((n - 1) * interval >= from)
+        --n;
+      return n * interval + 0.; // no negative zero
+    };
+  }
+
+  Instants instants(std::vector<double> ascending)
+  {
+    return [times = std::move(ascending)](const double from) {
+      const auto next = std::lower_bound(times.begin(), times.end(), from);
+      return next == times.end() ? std::numeric_limits<double>::infinity() : *next;
+    };
+  }
+
+  DenseOutput::DenseOutput(Instants instants, std::string name, const OutputFolder &folder, const bool inertia)
+    : first_from_(std::move(instants))
     , name_(std::move(name))
     , inertia_(inertia)
   {
@@ -38,27 +61,28 @@ namespace myolines
       written_ = folder.saved->number(name_);
   }
 
+  double DenseOutput::after(const double t) const { return first_from_(std::nextafter(t, std::numeric_limits<double>::infinity())); }
+
   /// The instants may be others than those of the run that was saved.
   void DenseOutput::resume(const State &state, std::size_t)
   {
-    while (instant_(next_) <= std::max(state.t, written_))
-      ++next_;
+    next_ = after(std::max(state.t, written_));
     last_ = state;
   }
 
   void DenseOutput::begin(const State &state)
   {
-    for (; instant_(next_) <= state.t; ++next_)
-      if (instant_(next_) == state.t)
-        write(written_ = state.t, state);
+    if (first_from_(state.t) == state.t)
+      write(written_ = state.t, state);
+    next_ = after(state.t);
     last_ = state;
   }
 
   void DenseOutput::accepted(const State &state, const StepRecord &record)
   {
     const double same = 1e-9 * record.dt; // rounding in sums of steps does not make a time fall between two
-    for (double t = instant_(next_); t <= state.t + same; t = instant_(++next_))
-      write(written_ = t, t >= state.t - same ? state : interpolate(last_, state, t, inertia_));
+    for (; next_ <= state.t + same; next_ = after(next_))
+      write(written_ = next_, next_ >= state.t - same ? state : interpolate(last_, state, next_, inertia_));
     last_ = state;
   }
 
@@ -69,7 +93,7 @@ namespace myolines
     public:
       Motion(const double interval, const std::vector<std::string> &columns, std::function<std::vector<double>(const State &)> values,
              const OutputFolder &folder, const bool inertia)
-        : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "end of motion.csv", folder, inertia)
+        : DenseOutput(multiples_of(interval), "end of motion.csv", folder, inertia)
         , values_(std::move(values))
         , csv_(folder, "motion.csv", columns)
       {}

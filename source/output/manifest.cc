@@ -1,4 +1,6 @@
-#include <myolines/output/outputs.h>
+#include <myolines/base/error.h>
+#include <myolines/base/files.h>
+#include <myolines/output/manifest.h>
 #include <myolines/output/text_file.h>
 #include <myolines/output/version.h>
 
@@ -49,12 +51,40 @@ namespace myolines
         return name;
       return nullptr;
     }
+
+    /// Command lines may hold bytes that are no text.
+    std::string json_text(const Json &json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+    Json json_of(const std::filesystem::path &file)
+    {
+      std::ifstream stream(file);
+      return Json::parse(stream, nullptr, /*allow_exceptions*/ false);
+    }
+
+    /// The blocks of the file that is there are enough for a new text of much the same length.
+    void write_over(const std::filesystem::path &file, const std::string &text)
+    {
+      if (!writes_files())
+        return;
+      File there(file, File::Mode::write);
+      there.write_at(0, text.data(), text.size());
+      there.resize(text.size());
+      there.close();
+    }
+
+    /// A name in the folder itself or in one of the folders that runs make there.
+    bool is_inside(const std::string &name)
+    {
+      const std::filesystem::path path(name), folder = path.parent_path();
+      return path.has_filename() && path.filename() != "." && path.filename() != ".." &&
+             (folder.empty() || folder == "states" || folder == "pictures");
+    }
   } // namespace
 
-  void write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
-                      const std::string &resumed, const std::string &exit_reason)
+  void write_manifest(const OutputFolder &folder, const RunRecord &record, const std::string &exit_reason)
   {
-    Json manifest;
+    const std::filesystem::path file = folder.file("manifest.json");
+    Json                        manifest;
     manifest["program"]  = "myolines";
     manifest["version"]  = version;
     manifest["git hash"] = *git_hash == '\0' ? Json(nullptr) : Json(git_hash);
@@ -67,31 +97,74 @@ namespace myolines
     manifest["libraries"]    = {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"Trilinos", trilinos_version()}, {"MPI", mpi_version()}};
     manifest["ranks"]        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     manifest["host"]         = {{"name", host_name()}, {"CPU", cpu_model()}, {"hardware threads", std::thread::hardware_concurrency()}};
-    manifest["command line"] = command_line;
-    manifest["started"]      = started;
+    manifest["command line"] = record.command_line;
+    manifest["started"]      = record.started;
     manifest["finished"]     = iso8601_now();
-    manifest["resumed"]      = resumed.empty() ? Json(nullptr) : Json(resumed);
+    manifest["resumed"]      = record.resumed.empty() ? Json(nullptr) : Json(record.resumed);
     manifest["exit reason"]  = exit_reason;
-    replace_file(folder / "manifest.json", manifest.dump(2) + "\n");
-  }
-
-  bool run_is_done(const std::filesystem::path &folder)
-  {
-    bool done = false;
-    if (writes_files())
+    manifest["inputs"]       = Json(record.inputs); // with their CRC-32
+    manifest["files"]        = folder.noted();
+    const std::string text   = json_text(manifest);
+    try
       {
-        std::ifstream file(folder / "manifest.json");
-        const Json    manifest = Json::parse(file, nullptr, /*allow_exceptions*/ false);
-        done                   = manifest.is_object() && manifest.value("exit reason", "") == "done";
+        replace_file(file, text);
       }
-    return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, done);
+    catch (const SystemError &)
+      {
+        write_over(file, text);
+      }
   }
 
-  void write_ledger(const std::filesystem::path &folder, const WorkLedger &ledger)
+  std::optional<Manifest> read_manifest(const std::filesystem::path &folder)
+  {
+    const std::filesystem::path file = folder / "manifest.json";
+    std::error_code             none;
+    if (!std::filesystem::exists(file, none))
+      return std::nullopt;
+    const Json manifest = json_of(file);
+    const auto refuse   = [&](const std::string &what) {
+      throw InputError(InputProblem{file.string(), what, "the manifest of a run of this program", "choose another folder with --out"});
+    };
+    if (!manifest.is_object() || !manifest.contains("program") || manifest["program"] != "myolines")
+      refuse("this is no manifest of this program, or it is damaged");
+    Manifest read;
+    if (!manifest.contains("exit reason") || !manifest["exit reason"].is_string())
+      refuse("it is damaged: the exit reason is missing");
+    read.exit_reason = manifest["exit reason"];
+    read.lists_files = manifest.contains("files");
+    if (!read.lists_files)
+      return read;
+    if (!manifest["files"].is_array())
+      refuse("it is damaged: the files are no list");
+    for (const Json &name : manifest["files"])
+      if (name.is_string() && is_inside(name))
+        read.files.insert(name.get<std::string>());
+      else
+        refuse("it is damaged: " + name.dump() + " is no file of a run");
+    return read;
+  }
+
+  void list_in_manifest(const std::filesystem::path &folder, const std::vector<std::string> &names)
+  {
+    if (!writes_files())
+      return;
+    const std::filesystem::path file     = folder / "manifest.json";
+    Json                        manifest = json_of(file);
+    if (!manifest.is_object() || !manifest.contains("program") || manifest["program"] != "myolines" || !manifest.contains("files"))
+      return;
+    std::set<std::string> all(names.begin(), names.end());
+    for (const Json &name : manifest["files"])
+      if (name.is_string())
+        all.insert(name.get<std::string>());
+    manifest["files"] = all;
+    replace_file(file, json_text(manifest));
+  }
+
+  void write_ledger(const OutputFolder &folder, const WorkLedger &ledger)
   {
     Json json;
     json["counts"]  = Json(ledger.counts());
     json["seconds"] = Json(ledger.seconds());
-    replace_file(folder / "ledger.json", json.dump(2) + "\n");
+    replace_file(folder.file("ledger.json"), json_text(json));
   }
 } // namespace myolines

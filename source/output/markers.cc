@@ -1,8 +1,8 @@
 #include <myolines/output/markers.h>
+#include <myolines/scene/input_text.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace myolines
@@ -56,9 +56,7 @@ namespace myolines
       }
     if (series.has("markers file"))
       {
-        std::ifstream file(series.file("markers file"));
-        if (!file)
-          series.refuse("markers file", "cannot read " + series.file("markers file").string());
+        std::istringstream file(scene::read_input_text(series.file("markers file")));
         return parse(file, '\n', series, "markers file");
       }
     return {};

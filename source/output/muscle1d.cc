@@ -18,7 +18,7 @@ namespace myolines
       using Values = std::function<std::vector<double>(const State &)>;
 
       Table(const double interval, const std::string &file, std::vector<std::string> columns, Values values, const OutputFolder &folder)
-        : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "end of " + file, folder, true)
+        : DenseOutput(multiples_of(interval), "end of " + file, folder, true)
         , values_(std::move(values))
         , csv_(folder, file, with_time(std::move(columns)))
       {}

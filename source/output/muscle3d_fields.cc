@@ -109,10 +109,16 @@ namespace myolines
         if (fields.text("format") == "hdf5")
           {
             format_ = std::make_unique<Hdf5>();
+            for (const char *name : {"fields-*.h5", "fields-mesh-*.h5", "fields.xdmf"})
+              folder.note(name);
             memory_ += ": " + fields.text("what"); // fields.xdmf lists the same fields at all times
           }
         else
-          format_ = std::make_unique<Vtu>();
+          {
+            format_ = std::make_unique<Vtu>();
+            for (const char *name : {"fields-*.vtu", "fields_*.vtu", "fields_*.pvtu", "fields.pvd"})
+              folder.note(name);
+          }
         if (folder.saved != nullptr && folder.saved->has_numbers(memory_))
           for (auto value = folder.saved->numbers(memory_).begin(); value != folder.saved->numbers(memory_).end(); value += 2)
             written_.push_back({value[0], static_cast<std::size_t>(value[1])});

@@ -4,6 +4,7 @@
 #include <myolines/output/muscle3d_files.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace myolines
 {
@@ -159,7 +160,8 @@ namespace myolines
                             [fibre_speed](const Muscle3dSample &sample) {
                               const double muscle = -sample.body().mean_velocity.norm();
                               const double rate = sample.body().mean_strain_rate, fibre = fibre_speed * rate;
-                              return std::vector<double>{sample.t(), muscle, fibre, muscle / fibre, std::abs(rate) <= 1 ? 1. : 0.};
+                              const double gearing = fibre == 0 ? std::numeric_limits<double>::quiet_NaN() : muscle / fibre;
+                              return std::vector<double>{sample.t(), muscle, fibre, gearing, std::abs(rate) <= 1 ? 1. : 0.};
                             });
   }
 

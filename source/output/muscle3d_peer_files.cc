@@ -90,6 +90,7 @@ namespace myolines
         for (const std::string &part : parts_.names("Apo"))
           for (const char *axis : {" x [N]", " y [N]", " z [N]"})
             columns_.push_back(part + axis);
+        folder.note("force_data-3d-*.csv");
         if (folder.saved != nullptr && folder.saved->has_numbers(memory))
           {
             steps_ = folder.saved->numbers(memory);

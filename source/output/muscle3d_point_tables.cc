@@ -29,7 +29,13 @@ namespace myolines
         , columns_(quadrature.text("what") == "all" ? column_names() : read_names(quadrature, column_names(), "column"))
         , folder_(folder.path)
         , ledger_(ledger)
-      {}
+      {
+        if (as_flexodeal_)
+          for (const char *name : {"cell_data_main-3d-*.data", "cell_data_tensors-3d-*.data"})
+            folder.note(name);
+        else
+          folder.note("quadrature-*.h5");
+      }
 
     private:
       void write(const State &state, Side, const std::size_t step) override

@@ -105,8 +105,7 @@ namespace myolines
     public:
       /// @p times ascend.
       NodalStates(const Rod1dSystem &system, const std::vector<double> &times, const OutputFolder &folder)
-        : DenseOutput([times](const std::size_t i) { return i < times.size() ? times[i] : std::numeric_limits<double>::infinity(); },
-                      "end of nodal_states.csv", folder, true)
+        : DenseOutput(instants(times), "end of nodal_states.csv", folder, true)
         , system_(system)
         , csv_(folder, "nodal_states.csv", {"Time [s]", "X [m]", "u [m]", "v [m/s]"})
       {}

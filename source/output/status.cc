@@ -58,12 +58,12 @@ namespace myolines
     , terminal_(writes_files() ? terminal : nullptr)
     , begin_(std::chrono::steady_clock::now())
   {
+    const std::filesystem::path file = folder.file("run.log");
     if (!writes_files())
       return;
-    const std::filesystem::path file = folder.path / "run.log";
-    log_.open(file, folder.saved == nullptr ? std::ios::trunc : std::ios::app);
-    if (!log_)
-      throw std::runtime_error("cannot write " + file.string());
+    if (folder.saved == nullptr)
+      write_file(file, "");
+    log_.emplace(file, File::Mode::append);
   }
 
   void Status::begin(const State &state)
@@ -101,8 +101,8 @@ namespace myolines
 
   void Status::log(const std::string &line)
   {
-    if (log_.is_open())
-      log_ << line << std::endl;
+    if (log_)
+      log_->write(line + "\n");
   }
 
   double Status::elapsed() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }

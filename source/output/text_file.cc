@@ -1,18 +1,13 @@
 #include <myolines/base/error.h>
+#include <myolines/base/files.h>
 #include <myolines/output/text_file.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <ctime>
-#include <fstream>
-#include <stdexcept>
 
 namespace myolines
 {
@@ -27,41 +22,106 @@ namespace myolines
       return;
     std::filesystem::path fresh = file;
     fresh += ".new";
+    write_file(fresh, text);
+    std::error_code refused;
+    std::filesystem::rename(fresh, file, refused);
+    if (refused)
+      throw SystemError("write", file, refused.value());
+  }
+
+  void sync_to_disk(const std::filesystem::path &file) { File(file, File::Mode::read).sync(); }
+
+  namespace
+  {
+    /// What one rank tells all.
+    struct Refusal
     {
-      std::ofstream stream(fresh, std::ios::binary);
-      stream << text << std::flush;
-      if (!stream)
-        throw std::runtime_error("cannot write " + fresh.string());
+      enum Kind : int
+      {
+        none,
+        input,
+        system
+      };
+      int                      kind = none, error_number = 0;
+      std::vector<std::string> words; ///< four for each problem, or what the system said
+    };
+
+    /// Names that cannot be used are wrong input; what has nothing to do with the name is not.
+    bool is_of_the_name(const int error)
+    {
+      for (const int other : {ENOSPC, EDQUOT, EIO, EFBIG, ENOMEM, ENFILE, EMFILE})
+        if (error == other)
+          return false;
+      return true;
     }
-    std::filesystem::rename(fresh, file);
-  }
 
-  void sync_to_disk(const std::filesystem::path &file)
-  {
-    const int  descriptor = open(file.c_str(), O_RDONLY);
-    const bool synced     = descriptor >= 0 && fsync(descriptor) == 0;
-    if (descriptor >= 0)
-      close(descriptor);
-    if (!synced)
-      throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(errno));
-  }
+    void tell(Refusal &refusal, const InputProblem &problem)
+    {
+      refusal.kind = Refusal::input;
+      refusal.words.insert(refusal.words.end(), {problem.where, problem.what, problem.expected, problem.hint});
+    }
 
-  void on_writing_rank(const std::string &where, const std::string &expected, const std::string &hint, const std::function<void()> &action)
-  {
-    std::string problem;
-    if (writes_files())
+    void tell(Refusal &refusal, InputProblem problem, const std::string &what, const int error)
+    {
+      if (is_of_the_name(error))
+        {
+          problem.what = what;
+          tell(refusal, problem);
+          return;
+        }
+      refusal.kind         = Refusal::system;
+      refusal.error_number = error;
+      refusal.words        = {what};
+    }
+
+    Refusal refusal_of(const std::function<void()> &action, const InputProblem &frame)
+    {
+      Refusal refusal;
       try
         {
           action();
         }
+      catch (const InputError &error)
+        {
+          for (const InputProblem &problem : error.problems())
+            tell(refusal, problem);
+        }
+      catch (const SystemError &error)
+        {
+          tell(refusal, frame, error.what(), error.error_number());
+        }
+      catch (const std::filesystem::filesystem_error &error)
+        {
+          tell(refusal, frame, "cannot use " + error.path1().string() + ": " + error.code().message(), error.code().value());
+        }
       catch (const std::exception &error)
         {
-          problem = error.what();
+          tell(refusal, frame, error.what(), 0);
         }
-    if (dealii::Utilities::MPI::job_supports_mpi())
-      problem = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, problem);
-    if (!problem.empty())
-      throw InputError(InputProblem{where, problem, expected, hint});
+      return refusal;
+    }
+  } // namespace
+
+  void on_writing_rank(const std::string &where, const std::string &expected, const std::string &hint, const std::function<void()> &action)
+  {
+    Refusal refusal;
+    if (writes_files())
+      refusal = refusal_of(action, {where, "", expected, hint});
+    if (dealii::Utilities::MPI::job_supports_mpi()) // a study calls this before MPI starts
+      {
+        refusal.kind         = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, refusal.kind);
+        refusal.error_number = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, refusal.error_number);
+        refusal.words        = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, refusal.words);
+      }
+    const std::vector<std::string> &words = refusal.words;
+    if (refusal.kind == Refusal::none)
+      return;
+    if (refusal.kind == Refusal::system)
+      throw SystemError(words.front(), refusal.error_number);
+    std::vector<InputProblem> problems;
+    for (std::size_t i = 0; i + 4 <= words.size(); i += 4)
+      problems.push_back({words[i], words[i + 1], words[i + 2], words[i + 3]});
+    throw InputError(problems);
   }
 
   std::string exact_text(const double value)

@@ -1,6 +1,7 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/scene/csv.h>
+#include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>
@@ -111,14 +112,12 @@ namespace myolines::scene
 
   CsvTable read_csv_input(const std::filesystem::path &file)
   {
-    const std::optional<std::string> text = text_of(file);
-    std::vector<Row>                 rows = parse(text.value_or("") + "\n");
+    std::vector<Row> rows = parse(read_input_text(file) + "\n");
     rows.erase(
         std::remove_if(rows.begin(), rows.end(), [](const Row &row) { return row.cells.size() == 1 && trimmed(row.cells[0]).empty(); }),
         rows.end());
     if (rows.empty())
-      throw InputError(
-          InputProblem{file.string(), "cannot be read, or is empty", "comma-separated values with names in the first line", ""});
+      throw InputError(InputProblem{file.string(), "there is nothing in it", "comma-separated values with names in the first line", ""});
     for (Row &row : rows)
       for (std::string &cell : row.cells)
         cell = trimmed(cell);

@@ -1,3 +1,6 @@
+#include "xml_check.h"
+
+#include <myolines/base/files.h>
 #include <myolines/scene/document.h>
 #include <myolines/scene/numbers.h>
 
@@ -5,7 +8,6 @@
 #include <Teuchos_XMLObject.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 namespace myolines::scene
@@ -129,6 +131,8 @@ namespace myolines::scene
   {
     const std::string  expected = "<ParameterList name=\"" + root_name + "\">";
     Teuchos::XMLObject root;
+    if (!check_xml(xml, file, problems))
+      return {};
     try
       {
         root = Teuchos::StringInputSource(xml).getObject();
@@ -145,19 +149,6 @@ namespace myolines::scene
         return {};
       }
     return Reader(file, problems).list(root, "", "");
-  }
-
-  std::string read_text(const std::filesystem::path &file, std::vector<InputProblem> &problems)
-  {
-    std::ifstream      stream(file);
-    std::ostringstream text;
-    if (std::filesystem::is_directory(file) || !stream || !(text << stream.rdbuf()))
-      problems.push_back({file.string(),
-                          std::filesystem::is_directory(file) ? "it is a folder, not a file"
-                          : std::filesystem::exists(file)     ? "the file is empty or cannot be read"
-                                                              : "there is no such file",
-                          "a readable, non-empty file", ""});
-    return text.str();
   }
 
   void set_parameter(RawList &root, const std::string &path, const std::string &text, const bool from_override)
@@ -190,6 +181,8 @@ namespace myolines::scene
         const std::string path   = trimmed(override_text.substr(0, equals));
         if (equals == std::string::npos || path.empty())
           problems.push_back({"override \"" + override_text + "\"", "no path and value", "path=value", "for example \"time/step=1e-3\""});
+        else if (first_not_utf8(override_text) != std::string::npos)
+          problems.push_back({"override \"" + path + "\"", "it is not text in UTF-8", "UTF-8, as scenes are", ""});
         else
           set_parameter(root, path, override_text.substr(equals + 1), true);
       }

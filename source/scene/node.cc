@@ -38,6 +38,19 @@ namespace myolines::scene
 
   std::filesystem::path Node::file(const std::string &name) const { return value(name, Kind::file).text; }
 
+  std::vector<std::filesystem::path> Node::files() const
+  {
+    std::vector<std::filesystem::path> all;
+    for (const auto &[name, value] : values_)
+      if (value.kind == Kind::file)
+        all.push_back(value.text);
+    for (const auto *lists : {&sections_, &named_})
+      for (const Node &list : *lists)
+        for (const std::filesystem::path &file : list.files())
+          all.push_back(file);
+    return all;
+  }
+
   bool Node::has(const std::string &name) const
   {
     if (std::find(declared_.begin(), declared_.end(), name) == declared_.end())

@@ -1,3 +1,4 @@
+#include <myolines/base/files.h>
 #include <myolines/base/names.h>
 #include <myolines/scene/node_builder.h>
 #include <myolines/scene/numbers.h>
@@ -263,11 +264,20 @@ namespace myolines::scene
 
   std::optional<std::string> NodeBuilder::checked_file(const std::string &text, const Entry &entry, const std::string &where)
   {
+    const auto refuse = [&](const std::string &what) {
+      problems_.push_back({where, what, entry.expected(), ""});
+      return std::nullopt;
+    };
+    if (text.empty())
+      return refuse("there is no file \"\"");
     const std::filesystem::path file = std::filesystem::absolute(folder_ / text).lexically_normal();
-    if (std::filesystem::is_regular_file(file))
-      return file.string();
-    problems_.push_back({where, "there is no file " + quoted(file.string()), entry.expected(), ""});
-    return std::nullopt;
+    std::error_code             none; // what cannot be looked at is not there
+    if (!std::filesystem::is_regular_file(file, none))
+      return refuse("there is no file " + quoted(file.string()) +
+                    (std::filesystem::exists(file, none) ? ": it is a folder, a device or a pipe" : ""));
+    if (first_not_utf8(file.string()) != std::string::npos)
+      return refuse("the name of the file " + quoted(file.string()) + " is not UTF-8");
+    return file.string();
   }
 
   std::string NodeBuilder::where(const Node &node, const std::string &name, const bool from_override) const

@@ -1,4 +1,5 @@
 #include <myolines/scene/document.h>
+#include <myolines/scene/input_text.h>
 #include <myolines/scene/node_builder.h>
 #include <myolines/scene/scene.h>
 
@@ -23,14 +24,6 @@ namespace myolines::scene
       return root;
     }
 
-    std::string file_text(const std::filesystem::path &file)
-    {
-      std::vector<InputProblem> problems;
-      const std::string         text = read_text(file, problems);
-      throw_if_any(problems);
-      return text;
-    }
-
     Node build_root(const RawList &root, const Schema &schema, const std::string &name, const std::filesystem::path &folder)
     {
       std::vector<InputProblem> problems;
@@ -43,7 +36,7 @@ namespace myolines::scene
   Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides,
                   const std::string &root)
   {
-    return build_root(raw_scene(file_text(file), file.string(), overrides, root), schema, file.string(), file.parent_path());
+    return build_root(raw_scene(read_input_text(file), file.string(), overrides, root), schema, file.string(), file.parent_path());
   }
 
   Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name, const std::filesystem::path &folder,
@@ -55,7 +48,7 @@ namespace myolines::scene
   std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,
                                        const std::vector<std::string> &overrides)
   {
-    const RawList       root  = raw_scene(file_text(file), file.string(), overrides);
+    const RawList       root  = raw_scene(read_input_text(file), file.string(), overrides);
     const RawParameter *found = find_parameter(root, path);
     return found != nullptr ? std::optional<std::string>(found->text) : std::nullopt;
   }

@@ -95,6 +95,14 @@ namespace myolines::study
     return axis;
   }
 
+  double number_of_points(const Node &node)
+  {
+    const std::string type = node.text("type");
+    return type == "list"     ? static_cast<double>(split(node.text("values")).size())
+           : type == "groups" ? static_cast<double>(node.named().size())
+                              : node.integer("number");
+  }
+
   Axis read_axis(const Node &node)
   {
     const std::string type = node.text("type");

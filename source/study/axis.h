@@ -7,6 +7,9 @@ namespace myolines::study
   /// Declaration of one axis.
   scene::Schema axis_schema();
 
+  /// How many points the axis has, without making them.
+  double number_of_points(const scene::Node &node);
+
   /// What a validated axis means. @throws InputError, for example for an axis without points.
   Axis read_axis(const scene::Node &node);
 } // namespace myolines::study

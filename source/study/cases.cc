@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <map>
 #include <set>
 
 namespace myolines::study
@@ -92,17 +93,17 @@ namespace myolines::study
     }
 
     /// Adds @p made unless a case of that name is there; one that is must be the same.
-    void add_once(std::vector<Case> &cases, Case made)
+    void add_once(std::vector<Case> &cases, std::map<std::string, std::size_t> &places, Case made)
     {
-      for (const Case &known : cases)
-        if (known.name == made.name)
-          {
-            if (known.settings == made.settings)
-              return;
-            throw InputError(InputProblem{"case " + made.name, "two runs of different settings have this name",
-                                          "names of axes and labels that differ in letters and digits",
-                                          "or the same order of axes in all grids"});
-          }
+      const auto [place, fresh] = places.emplace(made.name, cases.size());
+      if (!fresh)
+        {
+          if (cases[place->second].settings == made.settings)
+            return;
+          throw InputError(InputProblem{"case " + made.name, "two runs of different settings have this name",
+                                        "names of axes and labels that differ in letters and digits",
+                                        "or the same order of axes in all grids"});
+        }
       cases.push_back(std::move(made));
     }
   } // namespace
@@ -134,8 +135,9 @@ namespace myolines::study
 
   std::vector<Case> expand(const Study &study)
   {
-    std::vector<Case>     references, checks, points;
-    std::set<std::string> names;
+    std::vector<Case>                  references, checks, points;
+    std::map<std::string, std::size_t> reference_places, check_places;
+    std::set<std::string>              names;
     for (const Grid &grid : study.grids)
       for (const std::vector<std::size_t> &index : indices(grid))
         {
@@ -151,9 +153,9 @@ namespace myolines::study
                 {
                   Case check      = reference_case(study, grid, point, *study.cross_check, Case::Role::cross_check);
                   check.reference = reference.name;
-                  add_once(checks, std::move(check));
+                  add_once(checks, check_places, std::move(check));
                 }
-              add_once(references, reference);
+              add_once(references, reference_places, reference);
             }
           points.push_back(std::move(point));
         }

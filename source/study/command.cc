@@ -1,8 +1,8 @@
 #include "batch_script.h"
-#include "file_lock.h"
 
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
+#include <myolines/output/file_lock.h>
 #include <myolines/output/text_file.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/study/command.h>
@@ -22,6 +22,8 @@ namespace myolines::study
 {
   namespace
   {
+    const std::string another_study = "another study, or a part of one,";
+
     std::vector<Case> cases_of_part(const std::vector<Case> &cases, const Part &part)
     {
       std::vector<Case> mine;
@@ -59,8 +61,12 @@ namespace myolines::study
       std::set<std::string> all;
       for (const Row &row : rows)
         if (const auto manifest = nlohmann::json::parse(row.outcome.manifest, nullptr, false); manifest.is_object())
-          all.insert(manifest.value("version", "?") + " " +
-                     (manifest["git hash"].is_string() ? manifest["git hash"].get<std::string>() : ""));
+          {
+            const auto text = [&manifest = manifest](const char *name, const char *other) {
+              return manifest.contains(name) && manifest[name].is_string() ? manifest[name].get<std::string>() : other;
+            };
+            all.insert(text("version", "?") + " " + text("git hash", ""));
+          }
       return all;
     }
 
@@ -131,6 +137,26 @@ namespace myolines::study
         }
     }
 
+    /// The resolved scene of a case. What is wrong with it is told with the study and the point that it is.
+    std::string resolved(const Options &options, const Study &study, const Case &which)
+    {
+      try
+        {
+          return options.resolve(study.scene, which.settings);
+        }
+      catch (const InputError &error)
+        {
+          std::vector<std::string> point;
+          for (const auto &[axis, coordinate] : which.coordinates)
+            point.push_back(axis + " = " + coordinate.label);
+          std::vector<InputProblem> problems = error.problems();
+          for (InputProblem &problem : problems)
+            problem.where = options.file.string() + ": " + role_name(which.role) + " " + which.name +
+                            (point.empty() ? "" : " (" + join(point) + ")") + ": " + problem.where;
+          throw InputError(problems);
+        }
+    }
+
     void list_cases(const Options &options, const Study &study, const std::vector<Case> &cases, std::ostream &out)
     {
       for (const Case &each : cases)
@@ -138,7 +164,7 @@ namespace myolines::study
           std::vector<std::string> words{"run", study.scene.string()};
           for (const std::string &setting : each.settings)
             words.insert(words.end(), {"--set", setting});
-          options.resolve(study.scene, each.settings); // refuses what a run would refuse
+          resolved(options, study, each); // refuses what a run would refuse
           out << each.name << "\n  " << shell_text(words) << "\n";
         }
       out << cases.size() << " cases\n";
@@ -162,9 +188,11 @@ namespace myolines::study
       runner.folder      = folder;
       runner.jobs        = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency() / study.ranks);
       runner.retry       = options.retry;
-      runner.resolve     = [&options, scene = study.scene](const std::vector<std::string> &settings) {
-        return options.resolve(scene, settings);
-      };
+      runner.resolve     = [&options, &study](const Case &which) { return resolved(options, study, which); };
+      if (options.fitting_jobs)
+        runner.fitting_jobs = [&options, &study](const unsigned int jobs) {
+          return options.fitting_jobs(jobs, study.ranks, options.jobs > 0);
+        };
       runner.stop_signal = options.stop_signal;
       runner.terminal    = options.terminal;
       return runner;
@@ -180,8 +208,8 @@ namespace myolines::study
     void run_part(const std::vector<Case> &cases, const Study &study, const Part &part, const RunnerOptions &runner)
     {
       const std::string name = "part-" + std::to_string(part.number) + "-of-" + std::to_string(part.of);
-      const FileLock    whole(runner.folder / "study.lock", FileLock::Kind::shared),
-          own(runner.folder / (name + ".lock"), FileLock::Kind::exclusive);
+      const FileLock    whole(runner.folder / "study.lock", FileLock::Kind::shared, another_study),
+          own(runner.folder / (name + ".lock"), FileLock::Kind::exclusive, another_study);
       Database database(runner.folder / (name + ".sqlite"));
       if (const auto known = runner.folder / "study.sqlite"; std::filesystem::exists(known))
         copy_outcomes(known, database);
@@ -191,7 +219,7 @@ namespace myolines::study
     void run_whole(const std::vector<Case> &cases, const Study &study, const RunnerOptions &runner, const std::function<void()> &start_mpi,
                    std::ostream &out)
     {
-      const FileLock lock(runner.folder / "study.lock", FileLock::Kind::exclusive);
+      const FileLock lock(runner.folder / "study.lock", FileLock::Kind::exclusive, another_study);
       Database       database(runner.folder / "study.sqlite");
       take_over_parts(runner.folder, database);
       const RunnerReport report = run_cases(study, cases, database, runner);

@@ -3,6 +3,7 @@
 
 #include <sqlite3.h>
 
+#include <cstring>
 #include <stdexcept>
 
 namespace myolines::study
@@ -17,9 +18,39 @@ namespace myolines::study
       CREATE TABLE results (name TEXT NOT NULL, "column" TEXT NOT NULL, value REAL, note TEXT NOT NULL, PRIMARY KEY (name, "column"));
     )";
 
-    [[noreturn]] void fail(const std::filesystem::path &file, const std::string &what)
+    constexpr const char *columns = "cases: name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene; "
+                                    "results: name, column, value, note";
+
+    [[noreturn]] void refuse_database(const std::filesystem::path &file, const std::string &what)
     {
-      throw std::runtime_error("cannot use " + file.string() + ": " + what);
+      throw InputError(InputProblem{file.string(), what, "the database of a study by this version of the program",
+                                    "choose another folder with --out, or remove the file to begin anew"});
+    }
+
+    /// What the system refused, or what is wrong with the file.
+    [[noreturn]] void fail(const std::filesystem::path &file, sqlite3 *handle)
+    {
+      const std::string what = sqlite3_errmsg(handle);
+      switch (sqlite3_errcode(handle) & 0xff)
+        {
+        case SQLITE_FULL:
+        case SQLITE_IOERR:
+        case SQLITE_NOMEM:
+        case SQLITE_PERM:
+        case SQLITE_READONLY:
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+          {
+            const int error = sqlite3_system_errno(handle);
+            throw SystemError(
+                "cannot use " + file.string() + ": " + what + (error == 0 ? "" : std::string(" (") + std::strerror(error) + ")"), error);
+          }
+        case SQLITE_CONSTRAINT: // ours alone
+        case SQLITE_MISUSE:
+          throw std::runtime_error(file.string() + ": " + what);
+        default:
+          refuse_database(file, what);
+        }
     }
   } // namespace
 
@@ -30,7 +61,7 @@ namespace myolines::study
       : database_(database)
     {
       if (sqlite3_prepare_v2(database.handle_, sql, -1, &handle_, nullptr) != SQLITE_OK)
-        fail(database.file_, sqlite3_errmsg(database.handle_));
+        fail(database.file_, database.handle_);
     }
     ~Statement() { sqlite3_finalize(handle_); }
     Statement(const Statement &)            = delete;
@@ -50,7 +81,7 @@ namespace myolines::study
     {
       const int code = sqlite3_step(handle_);
       if (code != SQLITE_ROW && code != SQLITE_DONE)
-        fail(database_.file_, sqlite3_errmsg(database_.handle_));
+        fail(database_.file_, database_.handle_);
       return code == SQLITE_ROW;
     }
     void reset() { check(sqlite3_reset(handle_)); }
@@ -68,7 +99,7 @@ namespace myolines::study
     void check(const int code)
     {
       if (code != SQLITE_OK)
-        fail(database_.file_, sqlite3_errmsg(database_.handle_));
+        fail(database_.file_, database_.handle_);
     }
 
     const Database &database_;
@@ -106,16 +137,11 @@ namespace myolines::study
   Database::Database(const std::filesystem::path &file)
     : file_(file)
   {
-    const auto refuse = [this](const std::string &what) {
-      sqlite3_close(handle_);
-      throw InputError(InputProblem{file_.string(), what, "the database of a study by this version of the program",
-                                    "choose another folder with --out, or remove the file to begin anew"});
-    };
-    if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK)
-      refuse(sqlite3_errmsg(handle_));
-    sqlite3_busy_timeout(handle_, 60000);
     try
       {
+        if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK)
+          fail(file_, handle_);
+        sqlite3_busy_timeout(handle_, 60000);
         Transaction transaction(*this);
         int         found = 0, n_tables = 0;
         {
@@ -128,13 +154,35 @@ namespace myolines::study
         if (found == 0 && n_tables == 0)
           execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(version));
         else if (found != version)
-          throw std::runtime_error("it is a database of something else");
+          refuse_database(file_, "it is a database of something else");
+        require_whole();
         transaction.commit();
       }
-    catch (const std::runtime_error &error)
+    catch (...)
       {
-        refuse(error.what());
+        sqlite3_close(handle_);
+        throw;
       }
+  }
+
+  void Database::require_whole() const
+  {
+    Statement check(*this, "PRAGMA quick_check(1)");
+    check.step();
+    if (check.text(0) != "ok")
+      refuse_database(file_, "it is damaged: " + check.text(0));
+    std::string found;
+    for (const char *table : {"cases", "results"})
+      {
+        found += (found.empty() ? "" : "; ") + std::string(table) + ": ";
+        Statement   row(*this, (std::string("PRAGMA table_info(") + table + ")").c_str());
+        std::string names;
+        while (row.step())
+          names += (names.empty() ? "" : ", ") + row.text(1);
+        found += names;
+      }
+    if (found != columns)
+      refuse_database(file_, "it has other tables: " + found);
   }
 
   Database::~Database() { sqlite3_close(handle_); }
@@ -142,7 +190,7 @@ namespace myolines::study
   void Database::execute(const std::string &sql) const
   {
     if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
-      fail(file_, sqlite3_errmsg(handle_));
+      fail(file_, handle_);
   }
 
   std::map<std::string, Outcome> Database::outcomes() const

@@ -8,7 +8,6 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 namespace myolines::study
 {
@@ -182,11 +181,11 @@ namespace myolines::study
             script += own + "reset\n";
             ++n;
           }
-      replace_file(all, "cd '" + folder.string() + "'\n" + script);
+      replace_file(all, script);
     });
     // All at once: starting the program takes longer than drawing.
     Processes processes;
-    processes.start({"/usr/bin/env", "gnuplot", all.string()}, console);
+    processes.start({"/usr/bin/env", "--chdir=" + folder.string(), "gnuplot", all.filename().string()}, console); // no name is a command
     std::vector<Ended> ended;
     while (ended.empty())
       ended = processes.wait(1);
@@ -197,7 +196,7 @@ namespace myolines::study
     if (ended.front().exit_code == 127)
       throw InputError(InputProblem{"gnuplot", "is not there", "the program that draws the pictures", "./myolines.sh install"});
     if (ended.front().exit_code != 0)
-      throw std::runtime_error("gnuplot failed: " + words.str());
+      throw SystemError("gnuplot failed: " + words.str());
     return n;
   }
 } // namespace myolines::study

@@ -1,4 +1,5 @@
 #include <myolines/base/error.h>
+#include <myolines/output/manifest.h>
 #include <myolines/study/csv_table.h>
 #include <myolines/study/plot.h>
 #include <myolines/study/results.h>
@@ -18,14 +19,20 @@ namespace myolines::study
       CsvTable    table;
     };
 
-    /// The series in @p folder, in the order of their names.
+    /// The series in @p folder, in the order of their names: those of its run, if there is a manifest that lists them.
     std::vector<NamedTable> series_in(const std::filesystem::path &folder, const std::string &only)
     {
       std::vector<NamedTable> all;
+      const auto              manifest = read_manifest(folder);
+      const auto              is_of_it = [&manifest](const std::string &name) {
+        return !manifest || !manifest->lists_files ||
+               std::any_of(manifest->files.begin(), manifest->files.end(),
+                                        [&name](const std::string &listed) { return matches(name, listed); });
+      };
       for (const auto &entry : std::filesystem::directory_iterator(folder))
         {
           const std::string name = entry.path().filename().string();
-          if (entry.path().extension() != ".csv" || (!only.empty() && name != only))
+          if (entry.path().extension() != ".csv" || (!only.empty() && name != only) || !is_of_it(name))
             continue;
           const std::optional<CsvTable> table = read_csv(entry.path());
           if (table && table->header.front() == time_header && !table->rows.empty())
@@ -152,7 +159,15 @@ namespace myolines::study
                                           : "runs that have a table in common, with numbers",
                                     ""});
     const std::filesystem::path folder = !options.out.empty() ? options.out : one ? options.folders.front() / "pictures" : "pictures";
-    out << draw(pictures, folder) << " pictures, as PNG and SVG, are in " << folder.string()
-        << "; each NAME.gp is what gnuplot draws one from.\n";
+    const std::size_t           n      = draw(pictures, folder);
+    if (one && options.out.empty() && !study)
+      {
+        std::vector<std::string> names;
+        for (const Picture &picture : pictures)
+          for (const char *extension : {".gp", ".png", ".svg"})
+            names.push_back("pictures/" + picture.name + extension);
+        list_in_manifest(options.folders.front(), names);
+      }
+    out << n << " pictures, as PNG and SVG, are in " << folder.string() << "; each NAME.gp is what gnuplot draws one from.\n";
   }
 } // namespace myolines::study

@@ -1,3 +1,4 @@
+#include <myolines/base/error.h>
 #include <myolines/study/processes.h>
 
 #include <fcntl.h>
@@ -119,7 +120,7 @@ namespace myolines::study
   {
     const int file = open(console.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0)
-      throw std::runtime_error("cannot write " + console.string() + ": " + std::strerror(errno));
+      throw SystemError("write", console, errno);
     const pid_t parent  = getpid();
     const pid_t process = fork();
     if (process == 0)
@@ -129,7 +130,7 @@ namespace myolines::study
       }
     close(file);
     if (process < 0)
-      throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno));
+      throw SystemError(std::string("cannot start a process: ") + std::strerror(errno), errno);
     alive_.push_back(process);
     return process;
   }

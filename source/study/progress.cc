@@ -5,20 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace myolines::study
 {
   Progress::Progress(const std::filesystem::path &folder, const std::size_t n, const std::size_t n_known, const unsigned int jobs,
                      std::ostream *terminal)
-    : log_(folder / "study.log", std::ios::app)
+    : log_(folder / "study.log", File::Mode::append)
     , n_(n)
     , n_ended_(n_known)
     , jobs_(jobs)
     , terminal_(terminal)
   {
-    if (!log_)
-      throw std::runtime_error("cannot write " + (folder / "study.log").string());
     say(std::to_string(n) + " cases, " + std::to_string(n_known) + " of them known; at most " + std::to_string(jobs) + " at a time");
   }
 
@@ -47,7 +44,7 @@ namespace myolines::study
     *terminal_ << '\r' << text << std::flush;
   }
 
-  void Progress::say(const std::string &line) { log_ << iso8601_now() << "  " << line << std::endl; }
+  void Progress::say(const std::string &line) { log_.write(iso8601_now() + "  " + line + "\n"); }
 
   void Progress::close()
   {

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <myolines/base/files.h>
+
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <string>
 
@@ -11,7 +12,7 @@ namespace myolines::study
   class Progress
   {
   public:
-    /// @p n cases in all, @p n_known of which had ended before. @throws std::runtime_error if the log cannot be written.
+    /// @p n cases in all, @p n_known of which had ended before. @throws SystemError if the log cannot be written.
     Progress(const std::filesystem::path &folder, std::size_t n, std::size_t n_known, unsigned int jobs, std::ostream *terminal);
 
     void ended(const std::string &name, const std::string &how, double wall_seconds);
@@ -21,7 +22,7 @@ namespace myolines::study
   private:
     std::string remaining() const;
 
-    std::ofstream log_;
+    File          log_;
     std::size_t   n_, n_ended_, n_now_ = 0;
     unsigned int  jobs_;
     double        seconds_ = 0; ///< of all cases that ended now

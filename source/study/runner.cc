@@ -3,6 +3,7 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/output/checkpoint.h>
+#include <myolines/output/manifest.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/study/processes.h>
 #include <myolines/study/runner.h>
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <cstring>
 #include <deque>
+#include <fstream>
 #include <sstream>
 
 namespace myolines::study
@@ -47,7 +49,20 @@ namespace myolines::study
     std::string exit_reason(const std::string &manifest)
     {
       const auto json = nlohmann::json::parse(manifest, nullptr, /*allow_exceptions*/ false);
-      return json.is_object() ? json.value("exit reason", "") : "";
+      return json.is_object() && json.contains("exit reason") && json["exit reason"].is_string() ? json["exit reason"].get<std::string>()
+                                                                                                 : "";
+    }
+
+    /// Removes what an earlier run of a case left. @throws InputError if the folder is not of one.
+    void clear_case(const std::filesystem::path &folder)
+    {
+      std::error_code none;
+      if (std::filesystem::is_directory(folder, none) && !read_manifest(folder))
+        for (const auto &entry : std::filesystem::directory_iterator(folder))
+          if (const std::string name = entry.path().filename().string(); name != "console.txt" && name != "run.lock")
+            throw InputError(InputProblem{entry.path().string(), "this file is not of a run, and a case of the study would go here",
+                                          "a folder for the results of this study alone", "choose another one with --out"});
+      std::filesystem::remove_all(folder);
     }
 
     struct Job
@@ -71,15 +86,16 @@ namespace myolines::study
       RunnerReport run(const std::vector<Case> &cases)
       {
         find_open(cases);
-        RunnerReport report;
+        const unsigned int jobs = options_.fitting_jobs ? options_.fitting_jobs(options_.jobs) : options_.jobs;
+        RunnerReport       report;
         report.n_known = cases.size() - open_.size();
-        Progress progress(options_.folder, cases.size(), report.n_known, options_.jobs, options_.terminal);
+        Progress progress(options_.folder, cases.size(), report.n_known, jobs, options_.terminal);
         while (!open_.empty() || !running_.empty())
           {
             report.why_open = why_stop();
             if (!report.why_open.empty())
               break;
-            while (running_.size() < options_.jobs && !open_.empty())
+            while (running_.size() < jobs && !open_.empty())
               start();
             for (const Ended &end : processes_.wait(wait_at_most()))
               {
@@ -105,7 +121,7 @@ namespace myolines::study
         const std::map<std::string, Outcome> known = database_.outcomes();
         for (const Case &each : cases)
           {
-            const std::string scene = options_.resolve(each.settings);
+            const std::string scene = options_.resolve(each);
             const auto        found = known.find(each.name);
             const bool        ended = found != known.end() && found->second.scene == scene &&
                                std::filesystem::exists(case_folder(options_.folder, each.name)) &&
@@ -132,7 +148,7 @@ namespace myolines::study
         job.resumed =
             study_.resumes && std::filesystem::exists(checkpoint_file(folder)) && text_of(folder / "scene.resolved.xml") == job.scene;
         if (!job.resumed)
-          std::filesystem::remove_all(folder);
+          clear_case(folder);
         std::filesystem::create_directories(folder);
 
         const std::vector<std::string> command = command_of(job, folder);
@@ -188,6 +204,11 @@ namespace myolines::study
           {
             outcome.status = "failed";
             outcome.reason = on_one_line(exit_reason(outcome.manifest));
+          }
+        else if (end.exit_code == static_cast<int>(ExitCode::system_refused))
+          {
+            outcome.status = "failed";
+            outcome.reason = on_one_line(console);
           }
         else if (end.exit_code == static_cast<int>(ExitCode::invalid_input))
           {

@@ -35,8 +35,26 @@ namespace myolines::study
                   nearest_hint(name, known, "nearest valid name"));
     }
 
+    /// Before anything is made of them.
+    void refuse_too_many_cases(const Node &node)
+    {
+      constexpr double most  = 1e6;
+      double           cases = 1;
+      std::string      axes;
+      for (const Node &axis : node.named())
+        if (!axis.has("zipped with"))
+          {
+            cases *= number_of_points(axis);
+            axes += (axes.empty() ? "" : " x ") + scene::format_number(number_of_points(axis)) + " (" + axis.name() + ")";
+          }
+      if (cases > most)
+        node.refuse("", "the grid has " + axes + " = " + scene::format_number(cases) + " cases", "at most " + scene::format_number(most),
+                    "fewer points, axes that are \"zipped with\" others, or several studies");
+    }
+
     Grid read_grid(const Node &node)
     {
+      refuse_too_many_cases(node);
       Grid grid{node.name(), {}};
       for (const Node &child : node.named())
         {

@@ -1,9 +1,9 @@
+#include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/system/drive.h>
 #include <myolines/system/drive_types.h>
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace myolines
@@ -52,11 +52,9 @@ namespace myolines
 
     Points points_of_file(const Node &node)
     {
-      Points        points;
-      std::ifstream file(node.file("file"));
-      if (!file)
-        node.refuse("file", "\"" + node.file("file").string() + "\" cannot be read", "a readable file of control points");
-      unsigned int number = 0;
+      Points             points;
+      std::istringstream file(scene::read_input_text(node.file("file")));
+      unsigned int       number = 0;
       for (std::string line; std::getline(file, line);)
         {
           ++number;

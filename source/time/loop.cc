@@ -3,9 +3,13 @@
 #include <myolines/time/loop.h>
 #include <myolines/time/plan.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <iterator>
+#include <new>
 #include <sstream>
 
 namespace myolines
@@ -38,7 +42,8 @@ namespace myolines
       }
       virtual ~Loop() = default;
 
-      /// Tells keeper and observers how it ends; the errors thrown are those that all ranks agree on, or others.
+      /// Tells keeper and observers how it ends; the errors thrown are those that all ranks agree on, or others. What fails while the end
+      /// is told never hides why the run ends.
       void run()
       {
         try
@@ -47,20 +52,33 @@ namespace myolines
           }
         catch (const SolveError &error)
           {
-            close(error.what());
-            throw;
+            throw SolveError(closed(error.what()));
           }
         catch (const Interrupted &error)
           {
-            close(error.what());
-            throw;
+            throw Interrupted(closed(error.what()));
+          }
+        catch (const SystemError &error)
+          {
+            throw SystemError(refused(error.what()), error.error_number());
+          }
+        catch (const std::bad_alloc &)
+          {
+            throw SystemError(refused("out of memory"), ENOMEM);
           }
         catch (const std::exception &error)
           {
             tell_end(error.what());
             throw;
           }
-        close("");
+        try
+          {
+            close("");
+          }
+        catch (const SystemError &error)
+          {
+            throw SystemError(refused(error.what()), error.error_number());
+          }
       }
 
     protected:
@@ -110,11 +128,13 @@ namespace myolines
     private:
       void advance()
       {
-        if (state_.t == settings_.start)
+        if (!settings_.resumed)
           {
             method_.start(state_);
             for (Observer *observer : observers_)
               observer->begin(state_);
+            if (keeper_ != nullptr)
+              keeper_->begun(state_);
           }
         else
           for (Observer *observer : observers_)
@@ -139,13 +159,47 @@ namespace myolines
           keeper_->ended(state_, number_);
         for (Observer *observer : observers_)
           observer->last(state_);
-        tell_end(reason);
+        for (Observer *observer : observers_)
+          observer->end(reason);
       }
 
+      /// Closes the run that ends for @p reason and returns it, with what fails then behind it. Other ranks do not know of that:
+      /// SystemError.
+      std::string closed(const std::string &reason)
+      {
+        try
+          {
+            close(reason);
+          }
+        catch (const SystemError &error)
+          {
+            const std::string both = reason + "\nNot everything could be saved: " + error.what();
+            tell_end(both);
+            if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+              throw SystemError(both, error.error_number());
+            return both;
+          }
+        return reason;
+      }
+
+      /// The system refused, on one rank perhaps. Returns the reason with step and time.
+      std::string refused(const std::string &what)
+      {
+        const std::string reason = what + ", after step " + std::to_string(number_) + " at t = " + text(state_.t) + " s";
+        tell_end(reason);
+        return reason;
+      }
+
+      /// After a failure: whatever fails now is its consequence.
       void tell_end(const std::string &reason)
       {
         for (Observer *observer : observers_)
-          observer->end(reason);
+          try
+            {
+              observer->end(reason);
+            }
+          catch (const SystemError &)
+            {}
       }
 
       bool at_event() const { return std::binary_search(events_.begin(), events_.end(), state_.t); }

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 
 namespace myolines
 {
@@ -29,6 +31,35 @@ namespace myolines
       EXPECT_EQ(nearest_hint("lenght", names), "nearest: \"length\"");
       EXPECT_EQ(nearest_hint("colour", names), "");
       EXPECT_EQ(join(names), "length, width, height, refinement");
+    }
+
+    TEST(Names, AShellReadsWhatWasMeant)
+    {
+      for (const std::string word :
+           {"plain", "a b", "it's", "{a,b}", "[x]", "~x", "!x", "$(id)", "`id`", "a\nb", "\"", "\\", "", "*", "#", "a=b;c",
+            "gr\xc3\xb6\xc3\x9f"
+            "e"})
+        {
+          const std::string command = "printf '%s' " + shell_text({word});
+          for (const char *shell : {"sh", "bash"})
+            {
+              std::FILE *pipe =
+                  popen((std::string("exec ") + shell + " -s << 'END_OF_SCRIPT'\n" + command + "\nEND_OF_SCRIPT\n").c_str(), "r");
+              ASSERT_NE(pipe, nullptr);
+              std::string read;
+              for (int c; (c = std::fgetc(pipe)) != EOF;)
+                read += static_cast<char>(c);
+              pclose(pipe);
+              EXPECT_EQ(read, word) << shell << ": " << command;
+            }
+        }
+    }
+
+    TEST(SystemError, HasTheReasonOfTheSystem)
+    {
+      const SystemError error("write", "a/b.csv", ENOSPC);
+      EXPECT_STREQ(error.what(), "cannot write a/b.csv: No space left on device");
+      EXPECT_EQ(error.error_number(), ENOSPC);
     }
 
     TEST(Lanes, ComputeAsDoublesDo)

@@ -24,7 +24,7 @@ FORCE, KINETIC_ENERGY = "reaction.csv", "energy_balance.csv"
 
 def run(program, settings, out, quantity):
     """Exit code, what it printed, and the force of the moving end [N] or the kinetic energy [J] at the end; none where nothing was written."""
-    command = [program, "run", SCENE, "--quiet", "--out", out]
+    command = [program, "run", SCENE, "--quiet", "--overwrite", "--out", out]
     for setting in settings:
         command += ["--set", setting]
     ended = subprocess.run(command, capture_output=True, text=True)

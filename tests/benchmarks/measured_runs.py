@@ -56,7 +56,7 @@ def cpu_seconds(pid):
 
 def measured_run(program, scene, settings, folder, limit=float("inf")):
     """Runs `scene` with overrides {path: value}; asks it to stop after `limit` seconds of user time."""
-    command = [program, "run", scene, "--out", folder, "--quiet"]
+    command = [program, "run", scene, "--out", folder, "--quiet", "--overwrite"]
     for path, value in settings.items():
         command += ["--set", f"{path}={value}"]
     log = folder + ".err"

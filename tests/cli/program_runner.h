@@ -52,13 +52,13 @@ struct Outcome
   std::string out, err;
 };
 
-/// Runs the program, built as the target `myolines`, with @p arguments in @p folder.
-inline Outcome run_program(const TestFolder &folder, const std::string &arguments)
+/// Runs the program, built as the target `myolines`, with @p arguments in @p folder; @p before stands before it in the shell.
+inline Outcome run_program(const TestFolder &folder, const std::string &arguments, const std::string &before = "")
 {
   if (!std::filesystem::exists(myolines::test::program_file()))
     throw std::runtime_error("build the target myolines first: " + myolines::test::program_file() + " is not there");
-  const std::string command =
-      "cd '" + folder.path().string() + "' && '" + myolines::test::program_file() + "' " + arguments + " > out.txt 2> err.txt < /dev/null";
+  const std::string command = "cd '" + folder.path().string() + "' && " + before + " '" + myolines::test::program_file() + "' " +
+                              arguments + " > out.txt 2> err.txt < /dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out.txt"), contents(folder / "err.txt")};
 }

@@ -144,8 +144,50 @@ TEST(Resume, ANewRunLeavesNothingOfTheOldOneToResume)
   const Folder folder;
   ASSERT_EQ(folder.run("swing", "out").exit_code, 0);
   ASSERT_TRUE(std::filesystem::exists(folder / "out/checkpoint"));
-  ASSERT_EQ(folder.run("swing", "out", "--set time/control/type=fixed --set solver/nonlinear/maximum\\ iterations=1").exit_code, 3);
-  EXPECT_FALSE(std::filesystem::exists(folder / "out/checkpoint")) << "not a step was accepted";
+  const std::string hopeless = "--set time/control/type=fixed --set solver/nonlinear/maximum\\ iterations=";
+  ASSERT_EQ(folder.run("swing", "out", hopeless + "1 --overwrite").exit_code, 3);
+  // Not a step was accepted: the start is what can be resumed.
+  const Outcome resumed = folder.run("swing", "out", hopeless + "50 --resume");
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  ASSERT_EQ(folder.run("swing", "whole", hopeless + "50").exit_code, 0);
+  EXPECT_EQ(folder.text("out/trajectory.csv"), folder.text("whole/trajectory.csv"));
+}
+
+TEST(Resume, AFileThatHasChangedIsTold)
+{
+  Folder      folder;
+  std::string scene = oscillator_scene;
+  const auto  begin = scene.find("<Parameter name=\"points\"");
+  scene.replace(begin, scene.find("/>", begin) - begin, "<Parameter name=\"file\" type=\"string\" value=\"push.dat\"");
+  folder.write("pushed.xml", scene);
+  folder.write("push.dat", "0 0\n0.3 1\n0.5 1\n");
+  ASSERT_EQ(folder.run("pushed", "out", "--set time/end=0.5").exit_code, 0);
+  EXPECT_NE(folder.text("out/manifest.json").find("push.dat\": \""), std::string::npos) << folder.text("out/manifest.json");
+  const Outcome same = folder.run("pushed", "out", "--set time/end=0.7 --resume");
+  EXPECT_EQ(same.out, "");
+  folder.write("push.dat", "0 0\n0.3 1\n0.5 2\n");
+  const Outcome other = folder.run("pushed", "out", "--resume");
+  EXPECT_EQ(other.exit_code, 0);
+  EXPECT_NE(other.out.find("push.dat has changed since"), std::string::npos) << other.out;
+  EXPECT_NE(folder.text("out/manifest.json").find("push.dat has changed since"), std::string::npos);
+}
+
+TEST(Resume, TablesThatAreNotThoseOfTheRunAreRefusedBeforeAnythingIsCut)
+{
+  const Folder folder;
+  ASSERT_EQ(folder.run("swing", "out", "--set time/end=0.5").exit_code, 0);
+  const std::string steps = folder.text("out/steps.csv"), table = folder.text("out/trajectory.csv");
+  std::string       other = table;
+  other[other.rfind('1')] = '7';
+  folder.write("out/trajectory.csv", other);
+  folder.write("out/steps.csv", steps + "99,later rows\n");
+  const Outcome refused = folder.run("swing", "out", "--resume");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("trajectory.csv: its rows are not those that were written"), std::string::npos) << refused.err;
+  EXPECT_EQ(folder.text("out/steps.csv"), steps + "99,later rows\n");
+  folder.write("out/trajectory.csv", table);
+  EXPECT_EQ(folder.run("swing", "out", "--resume").exit_code, 0);
+  EXPECT_EQ(folder.text("out/steps.csv").find("later"), std::string::npos);
 }
 
 TEST(Memory, IsToldAndRefusedBeforeAnythingLargeIsMade)

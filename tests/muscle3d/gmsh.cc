@@ -165,7 +165,7 @@ namespace myolines
       EXPECT_NE(refusal(write(cube + "$Elements\n1\n1 5 2 9 1 1 2 3 4 5 6 7 8\n$EndElements\n")).find("no tissue"), std::string::npos);
       EXPECT_NE(refusal(two_boxes(4.1, false, "muscles")).find("is no tissue"), std::string::npos);
       EXPECT_NE(refusal(two_boxes(4.1, false, "muscle a", "muscle b", "muscle")).find("belongs to another group"), std::string::npos);
-      EXPECT_NE(refusal(folder_ / "nowhere.msh").find("there is no file"), std::string::npos);
+      EXPECT_NE(refusal(folder_ / "nowhere.msh").find("nowhere.msh: there is no such file"), std::string::npos);
       // A cube beside two half ones: the nodes between them hang on its face; and two cubes that are not joined.
       const std::string more = header +
                                "$Nodes\n16\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n9 2 0 0\n10 2 1 0\n"
@@ -175,6 +175,55 @@ namespace myolines
               write(more + "3\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 5 2 1 1 2 9 10 3 13 11 12 14\n3 5 2 1 1 13 11 12 14 6 15 16 7\n$EndElements\n"))
               .find("hangs"),
           std::string::npos);
+    }
+
+    /// A cube of one element, for what stands around a mesh.
+    const std::string one_cube = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n"
+                                 "6 1 0 1\n7 1 1 1\n8 0 1 1\n$EndNodes\n$Elements\n1\n1 5 2 1 1 1 2 3 4 5 6 7 8\n$EndElements\n";
+
+    TEST_F(Gmsh, NoFileIsExecuted)
+    {
+      const auto        mark    = folder_ / "executed";
+      const std::string touch   = "SystemCall \"touch " + mark.string() + "\";\n";
+      const std::string printed = "Printf(\"x\") > \"" + mark.string() + "\";\n";
+      for (const std::string script : {touch, printed, "// a mesh\n" + touch, "\n\n" + touch, std::string("Exit;\n"),
+                                       "Include \"" + write(one_cube).string() + "\";\n", "$MeshFormats\n" + touch,
+                                       "$Comments\n$EndComments\n" + touch, touch + one_cube})
+        EXPECT_NE(refusal(write(script)).find("this is no mesh of Gmsh"), std::string::npos) << script;
+      // Behind, between and inside of a mesh it is left out.
+      const std::size_t nodes = one_cube.find("$Nodes");
+      for (const std::string &around : {one_cube + touch + printed + "Exit;\n", one_cube.substr(0, nodes) + touch + one_cube.substr(nodes),
+                                        one_cube + "$View\n" + touch + "$EndView\n"})
+        EXPECT_EQ(refusal(write(around)), "") << around;
+      // Options that Gmsh looks for beside a file.
+      std::ofstream(write(one_cube).string() + ".opt") << touch;
+      EXPECT_EQ(refusal(write(one_cube)), "");
+      EXPECT_FALSE(std::filesystem::exists(mark));
+    }
+
+    TEST_F(Gmsh, WhatOtherProgramsPutAroundAMeshIsNoMatter)
+    {
+      std::string windows;
+      for (const char c : one_cube)
+        windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+      EXPECT_EQ(refusal(write(windows)), "");
+      EXPECT_EQ(refusal(write("\xEF\xBB\xBF" + one_cube)), "") << "a byte order mark";
+      EXPECT_EQ(refusal(write("$NOD\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n$ENDNOD\n"
+                              "$ELM\n1\n1 5 1 1 8 1 2 3 4 5 6 7 8\n$ENDELM\n")),
+                "")
+          << "version 1";
+    }
+
+    TEST_F(Gmsh, WhatCannotBeWholeIsRefusedBeforeItIsRead)
+    {
+      EXPECT_NE(refusal(write(one_cube.substr(0, one_cube.size() - 10))).find("cut off"), std::string::npos);
+      std::string large = one_cube;
+      large.replace(large.find("$Nodes\n8"), 8, "$Nodes\n4000000000000");
+      EXPECT_NE(refusal(write(large)).find("cannot hold"), std::string::npos);
+      large.replace(large.find("2.2 0 8"), 7, "9.9 0 8");
+      EXPECT_NE(refusal(write(large)).find("format \"9.9 0 8\" is not known"), std::string::npos);
+      EXPECT_NE(refusal(folder_).find("it is a folder"), std::string::npos);
+      EXPECT_NE(refusal("/dev/zero").find("it is a device"), std::string::npos);
     }
   } // namespace
 } // namespace myolines

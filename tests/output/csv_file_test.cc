@@ -80,6 +80,17 @@ namespace
     csv.row(std::vector<double>{2, 3}); // after it was saved: lost to whoever resumes
     return saved;
   }
+
+  /// What with_two_rows() saved, with a file that is as long but says something else.
+  Archive with_another_digit(const test::Folder &folder)
+  {
+    const Archive saved = with_two_rows(folder);
+    require_tables(folder.path, saved);
+    std::string text           = folder.text("a.csv");
+    text[text.find("0,1") + 2] = '7';
+    std::ofstream(folder.path / "a.csv", std::ios::binary) << text;
+    return saved;
+  }
 } // namespace
 
 TEST(CsvFile, AResumedRunGoesOnWhereItWasSaved)
@@ -99,6 +110,7 @@ TEST(CsvFile, AResumedRunRefusesAFileThatIsNotAsItWas)
   const Archive saved = with_two_rows(folder);
   const auto    again = [&](const std::vector<std::string> &columns) { CsvFile(OutputFolder(folder.path, &saved), "a.csv", columns); };
   EXPECT_THROW(again({"Time [s]", "Force [kN]"}), InputError);
+  EXPECT_THROW(require_tables(folder.path, with_another_digit(folder)), InputError);
   std::filesystem::resize_file(folder.path / "a.csv", 25);
   EXPECT_THROW(again({"Time [s]", "Force [N]"}), InputError);
   std::filesystem::remove(folder.path / "a.csv");

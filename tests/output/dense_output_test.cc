@@ -27,7 +27,7 @@ namespace
   struct Notes : DenseOutput
   {
     Notes(const double interval, const OutputFolder &folder, const bool inertia = true)
-      : DenseOutput([interval](const std::size_t i) { return interval * static_cast<double>(i); }, "rows", folder, inertia)
+      : DenseOutput(multiples_of(interval), "rows", folder, inertia)
     {}
     void write(const double t, const State &state) override
     {
@@ -86,6 +86,30 @@ TEST(DenseOutput, goesOnWhereItWasSaved)
   second.accepted(cubic(1.1), step(1.1, 0.5));
   EXPECT_EQ(second.times, (std::vector<double>{0.75, 1}));
   EXPECT_NEAR(second.values[0], cubic(0.75).u(0), 1e-14);
+}
+
+TEST(DenseOutput, StartsThatAreNegativeOrLate)
+{
+  const test::Folder folder;
+  Notes              early(0.25, {folder.path});
+  early.begin(cubic(-1.1));
+  early.accepted(cubic(-0.4), step(-0.4, 0.7));
+  early.accepted(cubic(0.3), step(0.3, 0.7));
+  EXPECT_EQ(early.times, (std::vector<double>{-1, -0.75, -0.5, -0.25, 0, 0.25}));
+  Notes late(0.25, {folder.path}); // 4e10 instants before the first
+  late.begin(cubic(1e10));
+  late.accepted(cubic(1e10 + 0.6), step(1e10 + 0.6, 0.6));
+  EXPECT_EQ(late.times, (std::vector<double>{1e10, 1e10 + 0.25, 1e10 + 0.5}));
+}
+
+TEST(DenseOutput, MultiplesAreMultiplesHoweverTheQuotientIsRounded)
+{
+  for (const double interval : {0.1, 0.07, 1e-3, 3.})
+    for (double n = -50; n <= 50; ++n)
+      {
+        EXPECT_EQ(multiples_of(interval)(n * interval), n * interval);
+        EXPECT_EQ(multiples_of(interval)(std::nextafter(n * interval, 1e300)), (n + 1) * interval);
+      }
 }
 
 TEST(DenseOutput, withoutInertiaTheLineBetweenTheEnds)

@@ -43,7 +43,15 @@ namespace
       : system(OscillatorParameters(), ledger)
       , observers{&counting}
       , keeper(scene::compose_scene(checkpoint_schema(), {{"every", every}, {"seconds", seconds}}),
-               {system, integrator, &control, observers, ledger, "<scene/>", [this] { ++forgotten; }, [this] { return signal; }},
+               {system,
+                integrator,
+                &control,
+                observers,
+                ledger,
+                "<scene/>",
+                {{"muscle.msh", "0123abcd"}},
+                [this] { ++forgotten; },
+                [this] { return signal; }},
                folder.path)
     {}
 
@@ -121,9 +129,14 @@ TEST(Keeper, AFailedRunIsKeptAsItWasBeforeTheRejections)
   EXPECT_EQ(CheckpointReader(checkpoint_file(run.folder.path)).contents().control.number("cuts"), 1);
 }
 
-TEST(Keeper, ARunWithoutAStepLeavesNothingToResume)
+TEST(Keeper, TheStartIsSavedForARunWhoseFirstStepFails)
 {
-  KeptRun run("1", "0");
+  KeptRun run("1", "3600");
+  run.keeper.begun(run.system.initial_state(0));
+  const Checkpoint saved = CheckpointReader(checkpoint_file(run.folder.path)).contents();
+  EXPECT_EQ(saved.step, 0u);
+  EXPECT_EQ(saved.outputs.number("rows"), 7);
+  EXPECT_EQ(saved.inputs, (std::map<std::string, std::string>{{"muscle.msh", "0123abcd"}}));
   run.keeper.ended(run.system.initial_state(0), 0);
   EXPECT_EQ(run.saved(), 0u);
 }

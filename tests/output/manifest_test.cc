@@ -1,4 +1,5 @@
-#include <myolines/output/outputs.h>
+#include <myolines/base/error.h>
+#include <myolines/output/manifest.h>
 #include <myolines/output/text_file.h>
 
 #include "folder.h"
@@ -11,9 +12,11 @@ using namespace myolines;
 
 TEST(Manifest, NamesWhatMadeTheRun)
 {
-  test::Folder      folder;
-  const std::string started = iso8601_now();
-  write_manifest(folder.path, "myolines run \"a scene.xml\"", started, "", "done");
+  test::Folder       folder;
+  const std::string  started = iso8601_now();
+  const OutputFolder outputs(folder.path);
+  outputs.note("fields-*.vtu");
+  write_manifest(outputs, {"myolines run \"a scene.xml\"", started, "", {{"a scene.xml", "0123abcd"}}}, "done");
 
   const nlohmann::json manifest = nlohmann::json::parse(folder.text("manifest.json"));
   EXPECT_EQ(manifest.at("program"), "myolines");
@@ -32,6 +35,45 @@ TEST(Manifest, NamesWhatMadeTheRun)
   EXPECT_TRUE(std::regex_match(started, iso8601));
   EXPECT_TRUE(std::regex_match(manifest.at("finished").get<std::string>(), iso8601));
   EXPECT_GE(manifest.at("finished").get<std::string>(), started);
+  EXPECT_EQ(manifest.at("inputs").at("a scene.xml"), "0123abcd");
+  EXPECT_EQ(manifest.at("files"), nlohmann::json::parse(R"(["fields-*.vtu", "manifest.json"])"));
+}
+
+TEST(Manifest, OnlyOneOfThisProgramIsTakenForOne)
+{
+  test::Folder folder;
+  EXPECT_FALSE(read_manifest(folder.path).has_value());
+  const auto complaint = [&folder](const std::string &text) {
+    std::ofstream(folder.path / "manifest.json") << text;
+    try
+      {
+        read_manifest(folder.path);
+      }
+    catch (const InputError &error)
+      {
+        return error.problems()[0].where;
+      }
+    return std::string("taken");
+  };
+  const std::string file = (folder.path / "manifest.json").string();
+  for (const char *other :
+       {"", "hello", "[1, 2]", R"({"name": "my web app"})", R"({"exit reason": 5})", R"({"program": "myolines", "exit reason": 5})",
+        R"({"program": "myolines", "exit reason": "done", "files": "all"})",
+        R"({"program": "myolines", "exit reason": "done", "files": ["../../precious"]})",
+        R"({"program": "myolines", "exit reason": "done", "files": ["/etc/passwd"]})"})
+    EXPECT_EQ(complaint(other), file) << other;
+  EXPECT_EQ(complaint(R"({"program": "myolines", "exit reason": "done", "files": ["a.csv", "states/state-*"]})"), "taken");
+}
+
+TEST(Manifest, WhatIsAddedLaterIsListed)
+{
+  test::Folder       folder;
+  const OutputFolder outputs(folder.path);
+  outputs.note("a.csv");
+  write_manifest(outputs, {"run", "then", "", {}}, "done");
+  list_in_manifest(folder.path, {"pictures/a.png"});
+  EXPECT_EQ(read_manifest(folder.path)->files, (std::set<std::string>{"a.csv", "manifest.json", "pictures/a.png"}));
+  EXPECT_EQ(read_manifest(folder.path)->exit_reason, "done");
 }
 
 TEST(Ledger, CountsAndSeconds)
@@ -40,7 +82,7 @@ TEST(Ledger, CountsAndSeconds)
   WorkLedger   ledger;
   ledger.count("residual evaluations", 12);
   ledger.add_seconds("assembly", 0.25);
-  write_ledger(folder.path, ledger);
+  write_ledger(OutputFolder(folder.path), ledger);
   const nlohmann::json json = nlohmann::json::parse(folder.text("ledger.json"));
   EXPECT_EQ(json, nlohmann::json::parse(R"({"counts": {"residual evaluations": 12}, "seconds": {"assembly": 0.25}})"));
 }
@@ -48,7 +90,7 @@ TEST(Ledger, CountsAndSeconds)
 TEST(Ledger, EmptyLedgerIsStillAnObject)
 {
   test::Folder folder;
-  write_ledger(folder.path, WorkLedger());
+  write_ledger(OutputFolder(folder.path), WorkLedger());
   const nlohmann::json json = nlohmann::json::parse(folder.text("ledger.json"));
   EXPECT_TRUE(json.at("counts").is_object());
   EXPECT_TRUE(json.at("seconds").is_object());

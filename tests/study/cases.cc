@@ -131,3 +131,22 @@ TEST(Cases, WrongStudiesAreRefusedWithTheNameMeant)
   EXPECT_NE(complaint("", "").find("no grid"), std::string::npos);
   EXPECT_NE(complaint(grid("a", step_axis), parameter("kid", "sweep")).find("\"kind\""), std::string::npos);
 }
+
+TEST(Cases, GridsBeyondUseAreRefusedBeforeTheyAreMade)
+{
+  const StudyFolder folder;
+  const auto        long_axis = [](const std::string &name) {
+    return section(name, parameter("type", "range") + parameter("parameter", "system/mass") + parameter("first", "1", "double") +
+                                    parameter("last", "2", "double") + parameter("number", "1000000", "int"));
+  };
+  try
+    {
+      folder.study(grid("all", long_axis("m") + long_axis("k")));
+      FAIL() << "a grid of 1e12 cases";
+    }
+  catch (const InputError &error)
+    {
+      for (const char *word : {"all", "1e+06 (m) x 1e+06 (k)", "1e+12 cases"})
+        EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+}

@@ -4,6 +4,7 @@
 #include <myolines/study/database.h>
 
 #include <gtest/gtest.h>
+#include <sqlite3.h>
 
 using namespace myolines;
 using namespace myolines::study;
@@ -48,4 +49,59 @@ TEST(StudyDatabase, RefusesOtherFiles)
       Database(folder.write("text.sqlite", "This is no database, but it is long enough to be taken for the head of one, or is it?")),
       InputError);
   EXPECT_THROW(Database(folder / "no folder/study.sqlite"), InputError);
+}
+
+namespace
+{
+  /// Changes the database behind its back.
+  void execute(const std::filesystem::path &file, const char *sql)
+  {
+    sqlite3 *handle = nullptr;
+    ASSERT_EQ(sqlite3_open(file.c_str(), &handle), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(handle);
+    sqlite3_close(handle);
+  }
+} // namespace
+
+TEST(StudyDatabase, RefusesOneThatIsNotAsItWas)
+{
+  for (const char *sql : {"ALTER TABLE cases DROP COLUMN ledger", "DROP TABLE results", "ALTER TABLE results ADD COLUMN more TEXT",
+                          "ALTER TABLE cases RENAME COLUMN status TO state", "PRAGMA user_version = 7"})
+    {
+      const TestFolder folder;
+      const auto       file = folder / "study.sqlite";
+      Database{file};
+      execute(file, sql);
+      EXPECT_THROW(Database{file}, InputError) << sql;
+    }
+}
+
+TEST(StudyDatabase, RefusesDamagedPages)
+{
+  const TestFolder folder;
+  const auto       file = folder / "study.sqlite";
+  {
+    Database             database(file);
+    std::vector<Outcome> many;
+    for (int i = 0; i < 200; ++i)
+      {
+        study::Outcome outcome;
+        outcome.name   = "case " + std::to_string(i);
+        outcome.status = "done";
+        outcome.scene  = std::string(500, 'x');
+        many.push_back(outcome);
+      }
+    database.store(many);
+  }
+  std::string whole = contents(file);
+  ASSERT_GT(whole.size(), 40960u);
+  for (std::size_t page = 1; page < 10; ++page)
+    {
+      std::string damaged = whole;
+      std::fill(damaged.begin() + 4096 * page, damaged.begin() + 4096 * page + 512, '\x7f');
+      std::ofstream(file, std::ios::binary) << damaged;
+      EXPECT_THROW(Database{file}, InputError) << "page " << page;
+    }
+  std::ofstream(file, std::ios::binary) << whole.substr(0, whole.size() / 2);
+  EXPECT_THROW(Database{file}, InputError) << "cut off";
 }

@@ -25,7 +25,7 @@ namespace
       chmod(options_.program.c_str(), 0755);
       options_.folder      = folder_.path();
       options_.jobs        = 2;
-      options_.resolve     = [](const std::vector<std::string> &settings) { return settings.front(); };
+      options_.resolve     = [](const Case &which) { return which.settings.front(); };
       options_.stop_signal = [] { return 0; };
     }
 
@@ -78,13 +78,34 @@ TEST(Runner, KnownCasesAreNotRunAgainUnlessTheyChange)
   fake.options_.retry = true;
   EXPECT_EQ(fake.run().n_run, 1u); // the one that did not end well
   fake.options_.retry   = false;
-  fake.options_.resolve = [](const std::vector<std::string> &settings) {
-    return settings.front() == "time/step=1" ? "other" : settings.front();
-  };
+  fake.options_.resolve = [](const Case &which) { return which.settings.front() == "time/step=1" ? "other" : which.settings.front(); };
   EXPECT_EQ(fake.run().n_run, 1u); // its scene is another one now
   std::filesystem::remove_all(case_folder(fake.folder_.path(), "step=3"));
   EXPECT_EQ(fake.run().n_run, 1u); // its results are gone
   EXPECT_EQ(n_runs(), 6);
+}
+
+TEST(Runner, AFolderOfOthersInThePlaceOfACaseIsLeftAlone)
+{
+  FakeProgram fake("exit 0\n");
+  const auto  folder = case_folder(fake.folder_.path(), "step=2");
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "thesis.tex") << "mine";
+  EXPECT_THROW(fake.run(), myolines::InputError);
+  EXPECT_EQ(contents(folder / "thesis.tex"), "mine");
+}
+
+TEST(Runner, NoMoreJobsThanThereIsRoomFor)
+{
+  FakeProgram  fake("exit 0\n");
+  unsigned int asked         = 0;
+  fake.options_.fitting_jobs = [&asked](const unsigned int jobs) {
+    asked = jobs;
+    return 1u;
+  };
+  EXPECT_EQ(fake.run().n_run, 3u);
+  EXPECT_EQ(asked, 2u);
+  EXPECT_NE(contents(fake.folder_ / "study.log").find("at most 1 at a time"), std::string::npos);
 }
 
 TEST(Runner, TimeOutsAndBudgets)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,12 +43,28 @@ namespace myolines
     using std::runtime_error::runtime_error;
   };
 
+  /// The system refused what the program needs (disk full, input or output error, permission, memory): the program ends with exit code 4.
+  class SystemError : public std::runtime_error
+  {
+  public:
+    /// "cannot @p verb @p file: No space left on device", of the @p error_number that the system gave (errno).
+    SystemError(const std::string &verb, const std::filesystem::path &file, int error_number);
+    explicit SystemError(const std::string &what, int error_number = 0);
+
+    /// errno, 0 where there is none.
+    int error_number() const { return error_number_; }
+
+  private:
+    int error_number_;
+  };
+
   /// Exit codes of the program.
   enum class ExitCode
   {
     done           = 0,
     internal_error = 1,
     invalid_input  = 2,
-    solve_failed   = 3 ///< also a run that was stopped by a signal
+    solve_failed   = 3, ///< also a run that was stopped by a signal
+    system_refused = 4
   };
 } // namespace myolines

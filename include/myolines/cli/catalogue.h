@@ -29,10 +29,10 @@ namespace myolines
   /// How large a system will be, known before it is made.
   struct SizeEstimate
   {
-    double n_unknowns      = 0; ///< on all ranks
-    double bytes           = 0; ///< on each rank: system, stored tangent, vectors of a run
-    double matrix_bytes    = 0; ///< on each rank: the assembled tangent
-    double two_level_bytes = 0; ///< on each rank: patches and coarse level; 0: the system has no two levels
+    double n_unknowns      = 0;     ///< on all ranks
+    double bytes           = 0;     ///< on each rank: system, stored tangent, vectors of a run
+    double matrix_bytes    = 0;     ///< on each rank: the assembled tangent
+    double two_level_bytes = 0;     ///< on each rank: patches and coarse level; 0: the system has no two levels
     bool   banded          = false; ///< solved directly in bytes, unless the scene names a preconditioner
   };
 

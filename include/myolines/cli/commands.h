@@ -19,9 +19,11 @@ namespace myolines
     std::filesystem::path    scene;
     std::filesystem::path    folder; ///< empty: results/<name of the scene without extension>
     std::vector<std::string> overrides;
-    bool                     quiet  = false;
-    bool                     resume = false; ///< go on from the checkpoint in the folder
-    std::string              command_line;   ///< for the manifest
+    bool                     quiet     = false;
+    bool                     resume    = false;      ///< go on from the checkpoint in the folder
+    bool                     overwrite = false;      ///< results of other scenes in the folder go
+    std::string              program   = "myolines"; ///< as it was called, for hints
+    std::string              command_line;           ///< for the manifest
   };
   void run_command(const RunOptions &options, std::ostream &out);
 

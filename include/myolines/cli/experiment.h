@@ -35,6 +35,9 @@ namespace myolines
 
     WorkLedger &ledger() { return ledger_; }
 
+    /// Files that the scene names, with their checksums; on the rank that writes.
+    const std::map<std::string, std::string> &inputs() const { return inputs_; }
+
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.
     void resume(const Checkpoint &checkpoint);
 
@@ -59,13 +62,16 @@ namespace myolines
     std::optional<StepPlan> planned_steps() const;
 
   private:
-    void                  refuse_ignored_inertia() const;
-    void                  refuse_tiny_steps() const;
+    void                             refuse_ignored_inertia() const;
+    void                             refuse_tiny_steps() const;
+    std::vector<const scene::Node *> intervals() const;
+
     void                  make_method();
     TimeMethod           &time_method() const;
     std::optional<double> first_velocity_jump() const;
 
     scene::Node                          scene_;
+    std::map<std::string, std::string>   inputs_;
     WorkLedger                           ledger_;
     AssembledSystem                      assembled_;
     const IntegratorEntry               &method_;

@@ -5,8 +5,10 @@
 
 namespace myolines
 {
-  /// While it lives, SIGTERM, SIGINT and SIGUSR1 do not end the program but are noted, for the run to end after its step. A second
-  /// signal of a kind acts as usual. One object at a time, as a process has one handler for each signal.
+  /// While it lives, SIGTERM, SIGINT, SIGUSR1, SIGHUP and SIGXCPU do not end the program but are noted, for the run to end after its step.
+  /// A second signal of a kind acts as usual (not SIGXCPU, which comes every second). A hang-up that the user had ignored (nohup) stays
+  /// ignored; a pipe that nobody reads any more does not end the program. One object at a time, as a process has one handler for each
+  /// signal.
   class StopSignals
   {
   public:
@@ -19,7 +21,7 @@ namespace myolines
     int noted() const;
 
   private:
-    static constexpr std::array<int, 3> numbers{{SIGTERM, SIGINT, SIGUSR1}};
-    std::array<struct sigaction, 3>     before_;
+    static constexpr std::array<int, 6> numbers{{SIGTERM, SIGINT, SIGUSR1, SIGHUP, SIGXCPU, SIGPIPE}};
+    std::array<struct sigaction, 6>     before_;
   };
 } // namespace myolines

@@ -79,7 +79,7 @@ namespace myolines
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
     double               slab_volume      = 0; ///< current [m^3]
-    double               mean_stretch     = 0; ///< (6.2.22), |F a0|
+    double               mean_stretch     = 0; ///< (6.2.22), |F a0|; means over a slab without a point of muscle are not numbers
     double               mean_pennation   = 0; ///< (6.2.25) [degree]
     double               mean_strain_rate = 0; ///< (6.2.21), non-dimensional, d|F a0|/dt / e0
     dealii::Tensor<1, 3> mean_velocity;        ///< (6.2.19) [m/s]
@@ -168,7 +168,7 @@ namespace myolines
 
   /// Writes @p columns (names of point_columns()) of @p state to the HDF5 file @p file, one table of doubles for each, with its unit as
   /// attribute; attribute "Time [s]" of the file. Rows are the quadrature points of cell after cell, x fastest, cells in the order of
-  /// the forest: the same for any number of ranks. Collective. @throws std::runtime_error if the disk refuses.
+  /// the forest: the same for any number of ranks. Collective. @throws SystemError.
   void write_point_table(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &columns,
                          const std::string &file);
 

@@ -7,7 +7,7 @@
 namespace myolines
 {
   // The tables of all quadrature points in the binary format of Flexodeal (thesis, tables 6.2 and 6.3): rows of 32-bit numbers, point after
-  // point, cells in the order of the forest, x fastest within a cell. Collective. @throws std::runtime_error if the disk refuses.
+  // point, cells in the order of the forest, x fastest within a cell. Collective. @throws SystemError.
 
   constexpr unsigned int n_main_columns = 21, n_tensor_columns = 69;
 

@@ -4,7 +4,9 @@
 #include <myolines/system/ledger.h>
 #include <myolines/system/semi_discrete_system.h>
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,8 @@ namespace myolines
     std::string  scene;           ///< every value in force, as scene.resolved.xml
     unsigned int ranks = 1;       ///< that wrote it
     std::string  instruction_set; ///< of the cell kernels that computed it
+
+    std::map<std::string, std::string> inputs; ///< files that the scene names, with their checksums
   };
 
   /// The file of @p folder that holds the state to resume from.
@@ -31,24 +35,24 @@ namespace myolines
   /// All such files in @p folder, ascending in their steps.
   std::vector<std::filesystem::path> kept_state_files(const std::filesystem::path &folder);
 
-  /// Writes @p checkpoint to @p file: first to a file beside it, then, when that is on the disk, in one move; whenever the
-  /// program is killed, one whole checkpoint stands. Collective. Vectors are written in the canonical order of the system, bit by
-  /// bit, and the integrator's with them; of outputs and control only numbers.
-  /// @throws std::runtime_error if the disk refuses, on the ranks that notice.
+  /// Writes @p checkpoint to @p file: first to a file beside it, then, when that is on the disk and has been read back, in one move;
+  /// whenever the program is killed or the disk refuses, one whole checkpoint stands. Collective. Vectors are written in the canonical
+  /// order of the system, bit by bit, and the integrator's with them; of outputs and control only numbers. Head and vectors have checksums.
+  /// @throws SystemError if the disk refuses.
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const SemiDiscreteSystem &system);
 
   /// Reads what write_checkpoint() wrote, on any number of ranks. Collective.
   class CheckpointReader
   {
   public:
-    /// Reads all but the vectors. @throws InputError on all ranks if there is no file, or not one of this version.
+    /// Reads all but the vectors. @throws InputError on all ranks if there is no file, or it is damaged, or not one of this version.
     explicit CheckpointReader(const std::filesystem::path &file);
 
     /// All but the vectors, which are empty.
     const Checkpoint &contents() const { return contents_; }
 
     /// Everything, vectors included, for the @p system that wrote it.
-    /// @throws InputError if the file is damaged or holds another number of unknowns.
+    /// @throws InputError if the file is damaged (a checksum differs, a number is not finite) or holds another number of unknowns.
     Checkpoint read(const SemiDiscreteSystem &system) const;
 
     /// All entries of u, v or a (@p name) in canonical order, without the system; on the rank that calls.
@@ -60,7 +64,11 @@ namespace myolines
     {
       std::string part; ///< "state" or "integrator"
       std::string name;
+      std::string checksum; ///< of its bytes
     };
+
+    void parse(const std::string &json);
+    void require_whole(const Block &block, bool whole, const std::vector<double> &owned, MPI_Comm communicator) const;
 
     std::filesystem::path file_;
     Checkpoint            contents_;

@@ -15,14 +15,15 @@ namespace myolines
   /// What a run is made of; borrowed.
   struct RunParts
   {
-    const SemiDiscreteSystem      &system;
-    const TimeMethod              &integrator;
-    const StepControl             *control; ///< or none: the integrator chooses its steps
-    const std::vector<Observer *> &observers;
-    WorkLedger                    &ledger;
-    std::string                    scene;       ///< every value in force
-    std::function<void()>          forget;      ///< drops what solvers keep from step to step
-    std::function<int()>           stop_signal; ///< the signal that asks this rank to stop, 0 if none has come
+    const SemiDiscreteSystem          &system;
+    const TimeMethod                  &integrator;
+    const StepControl                 *control; ///< or none: the integrator chooses its steps
+    const std::vector<Observer *>     &observers;
+    WorkLedger                        &ledger;
+    std::string                        scene;       ///< every value in force
+    std::map<std::string, std::string> inputs;      ///< see Checkpoint
+    std::function<void()>              forget;      ///< drops what solvers keep from step to step
+    std::function<int()>               stop_signal; ///< the signal that asks this rank to stop, 0 if none has come
   };
 
   /// Saves a run where its list `checkpoint` says so, where a signal stops it, and where it ends.
@@ -30,6 +31,8 @@ namespace myolines
   /// After every so many steps solvers forget what they kept, whether or not the state is written then, so that a run that
   /// goes on and one that resumes are bit-equal and do not depend on the speed of the machine. Saved elsewhere, a run that resumes
   /// agrees with one that was not stopped to the tolerance of the solvers.
+  ///
+  /// The start is saved as well, so that a run whose first step fails can be resumed.
   ///
   /// Where the list has a list `keep`, states on the way are kept as well, in the folder `states`; those of steps to come, which a run
   /// that was stopped may have left, go first.
@@ -41,6 +44,7 @@ namespace myolines
     /// @p checkpoint is the list of that name; files go to @p folder.
     CheckpointKeeper(const scene::Node &checkpoint, RunParts run, const std::filesystem::path &folder);
 
+    void                       begun(const State &state) override;
     std::optional<std::string> accepted(const State &state, std::size_t step) override;
     void                       ended(const State &state, std::size_t step) override;
 

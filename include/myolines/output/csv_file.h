@@ -1,8 +1,10 @@
 #pragma once
 
+#include <myolines/base/checksum.h>
+#include <myolines/base/files.h>
 #include <myolines/output/output_folder.h>
 
-#include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,26 +17,31 @@ namespace myolines
   public:
     /// Starts the file @p name of @p folder anew with the header @p columns (units in brackets: "Time [s]"), or goes on with
     /// the one that a resumed run saved, less the rows written since.
-    /// @throws InputError if the file to go on with is not as it was, std::runtime_error with the path if the disk refuses, here
-    /// and below.
+    /// @throws InputError if the file to go on with is not as it was, SystemError if the disk refuses, here and below; a row that it did
+    /// not take whole is not there.
     CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns);
 
-    /// One number per column; numbers read back exactly. @throws std::logic_error if the count differs from the header.
+    /// One number per column; numbers read back exactly, and what is not a number leaves its cell empty. @throws std::logic_error if the count differs from the header.
     void row(const std::vector<double> &values);
 
     /// One text per column; quoted where a comma, quote or line break asks for it (RFC 4180).
     void row(const std::vector<std::string> &texts);
 
-    /// Remembers how long the file is, and that much is on the disk itself.
+    /// Remembers how long the file is, and its checksum; that much is on the disk itself.
     void save(Archive &archive) const;
 
   private:
-    void go_on(std::uintmax_t bytes, const std::vector<std::string> &columns);
+    void go_on(const Archive &saved, const std::vector<std::string> &columns);
     void write(const std::vector<std::string> &texts);
 
-    std::string           name_;
-    std::filesystem::path path_;
-    std::size_t           n_columns_;
-    std::ofstream         stream_;
+    std::string                 name_;
+    std::filesystem::path       path_;
+    std::size_t                 n_columns_;
+    std::size_t                 size_ = 0; ///< [bytes]
+    Checksum                    checksum_;
+    mutable std::optional<File> file_; ///< on the rank that writes
   };
+
+  /// @throws InputError, on all ranks, that names every table of @p folder that is not as it was when @p saved was.
+  void require_tables(const std::filesystem::path &folder, const Archive &saved);
 } // namespace myolines

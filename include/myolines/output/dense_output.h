@@ -19,13 +19,17 @@ namespace myolines
   /// Without inertia velocities are no derivatives of u at the ends of steps: u is then the line between both, v its slope.
   State interpolate(const State &begin, const State &end, double t, bool inertia);
 
+  /// The first of some instants from a time on [s]; infinity if there is none.
+  using Instants = std::function<double(double from)>;
+  Instants multiples_of(double interval);
+  Instants instants(std::vector<double> ascending);
+
   /// Writes at instants that have nothing to do with the steps, and changes none of these.
   class DenseOutput : public Observer
   {
   public:
-    /// @p instant gives the instants in ascending order, infinity after the last; @p name for what is saved; @p inertia: of the
-    /// system.
-    DenseOutput(std::function<double(std::size_t)> instant, std::string name, const OutputFolder &folder, bool inertia);
+    /// @p name for what is saved; @p inertia: of the system.
+    DenseOutput(Instants instants, std::string name, const OutputFolder &folder, bool inertia);
 
     void begin(const State &state) final;
     void resume(const State &state, std::size_t) final;
@@ -37,12 +41,14 @@ namespace myolines
     virtual void write(double t, const State &state) = 0;
 
   private:
-    const std::function<double(std::size_t)> instant_;
-    const std::string                        name_;
-    const bool                               inertia_;
-    std::size_t                              next_    = 0;
-    double                                   written_ = std::numeric_limits<double>::lowest(); ///< the last instant so far
-    State                                    last_;
+    double after(double t) const; ///< the first instant behind @p t
+
+    const Instants    first_from_;
+    const std::string name_;
+    const bool        inertia_;
+    double            next_    = 0;
+    double            written_ = std::numeric_limits<double>::lowest(); ///< the last instant so far
+    State             last_;
   };
 
   /// Parameters of the list `motion` with the @p content of its file.

@@ -54,8 +54,8 @@ namespace myolines
   /// that follows.
   std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
-  /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row; not a
-  /// number while fibres are at rest. Physiological: 1 unless fibres change length faster than their maximum strain rate, 0 then.
+  /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row; empty
+  /// while fibres are at rest. Physiological: 1 unless fibres change length faster than their maximum strain rate, 0 then.
   std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
   /// strain.csv: strain and strain rate along x of the parts of the block up to x = p L, from the displacements and velocities of points of

@@ -3,19 +3,44 @@
 #include <myolines/system/archive.h>
 
 #include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
 
 namespace myolines
 {
   /// Where the outputs of a run go and, in a resumed run, what they saved when it was kept: every output made with it goes on
-  /// where it was then, or begins anew if it saved nothing.
-  struct OutputFolder
+  /// where it was then, or begins anew if it saved nothing. Copies note files in the same list.
+  class OutputFolder
   {
-    OutputFolder(std::filesystem::path folder, const Archive *saved_outputs = nullptr)
-      : path(std::move(folder))
-      , saved(saved_outputs)
-    {}
+  public:
+    OutputFolder(std::filesystem::path folder, const Archive *saved_outputs = nullptr);
+
+    /// The same folder, in which files that the run has not noted are left alone.
+    static OutputFolder with_foreign_files(std::filesystem::path folder);
 
     std::filesystem::path path;
     const Archive        *saved; ///< nullptr in a run from its start; borrowed
+
+    /// The place of the file @p name, which the run will write; noted. Collective.
+    /// @throws InputError if a foreign file of that name is there.
+    std::filesystem::path file(const std::string &name) const;
+
+    /// Notes files with numbers in their names, "fields-*.vtu"; see matches(). As file().
+    void note(const std::string &pattern) const;
+
+    /// What has been noted: names relative to the folder and patterns.
+    const std::set<std::string> &noted() const { return list_->names; }
+
+  private:
+    struct List
+    {
+      std::set<std::string> names;
+      bool                  spares_others = false;
+    };
+    std::shared_ptr<List> list_;
   };
+
+  /// Whether @p name is @p pattern, in which a star stands for a number ("0003", or "0003.1" for the piece of a rank).
+  bool matches(const std::string &name, const std::string &pattern);
 } // namespace myolines

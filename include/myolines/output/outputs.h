@@ -36,14 +36,4 @@ namespace myolines
   std::unique_ptr<Observer> make_status(const OutputFolder &folder, double start, double end, bool quiet);
   /// steps.csv: number, t, dt, outcome, iterations, residuals of every attempt, rejected ones included.
   std::unique_ptr<Observer> make_steps_file(const OutputFolder &folder);
-
-  /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, exit reason. @p started as
-  /// iso8601_now() (output/text_file.h) gives it; "finished" is the moment of writing; @p resumed says from what, "" if the run began
-  /// at its start. Rank 0 writes.
-  void write_manifest(const std::filesystem::path &folder, const std::string &command_line, const std::string &started,
-                      const std::string &resumed, const std::string &exit_reason);
-  /// True if the manifest in @p folder says that its run was done, on all ranks.
-  bool run_is_done(const std::filesystem::path &folder);
-  /// ledger.json: counts and seconds by phase, those of rank 0.
-  void write_ledger(const std::filesystem::path &folder, const WorkLedger &ledger);
 } // namespace myolines

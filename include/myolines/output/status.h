@@ -1,11 +1,12 @@
 #pragma once
 
+#include <myolines/base/files.h>
 #include <myolines/output/output_folder.h>
 #include <myolines/time/loop.h>
 
 #include <chrono>
-#include <fstream>
 #include <iosfwd>
+#include <optional>
 
 namespace myolines
 {
@@ -15,7 +16,8 @@ namespace myolines
   {
   public:
     /// Times in seconds; @p terminal may be nullptr (not a terminal, or the user wants quiet). Only the rank that
-    /// writes files logs, in run.log, and shows. The log of a resumed run goes on.
+    /// writes files logs, in run.log, and shows. The log of a resumed run goes on. @throws SystemError, here and below, where the log
+    /// cannot be written.
     Status(const OutputFolder &folder, double start, double end, std::ostream *terminal);
 
     void begin(const State &state) override;
@@ -29,7 +31,7 @@ namespace myolines
     double elapsed() const; ///< [s]
     void   show(const StepRecord &record);
 
-    std::ofstream                         log_;
+    std::optional<File>                   log_; ///< on the rank that writes
     double                                start_;
     double                                end_;
     double                                from_ = 0; ///< where this run began or was resumed [s]

@@ -10,15 +10,15 @@ namespace myolines
   bool writes_files();
 
   /// Replaces @p file by @p text in one move, so that a reader or a kill never sees half of it. Does nothing on ranks
-  /// that do not write. @throws std::runtime_error with the path if the disk refuses.
+  /// that do not write. @throws SystemError.
   void replace_file(const std::filesystem::path &file, const std::string &text);
 
   /// Returns once what was written to @p file, or the names in a folder, is on the disk itself.
-  /// @throws std::runtime_error with the path if the disk refuses.
+  /// @throws SystemError.
   void sync_to_disk(const std::filesystem::path &file);
 
-  /// Runs @p action on the rank that writes. @throws InputError on all ranks if it throws: about @p where, with its message,
-  /// what was @p expected and how to mend it.
+  /// Runs @p action on the rank that writes; what it throws, all ranks throw: an InputError, a SystemError if the disk is full or broken,
+  /// and for anything else an InputError about @p where with its message, what was @p expected and how to mend it.
   void on_writing_rank(const std::string &where, const std::string &expected, const std::string &hint, const std::function<void()> &action);
 
   /// Shortest decimal text that reads back as exactly @p value (at most 17 significant digits).

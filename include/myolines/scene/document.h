@@ -30,9 +30,6 @@ namespace myolines::scene
   RawList parse_document(const std::string &xml, const std::string &file, std::vector<InputProblem> &problems,
                          const std::string &root = "scene");
 
-  /// The contents of @p file; an unreadable one is a problem.
-  std::string read_text(const std::filesystem::path &file, std::vector<InputProblem> &problems);
-
   /// Sets the parameter at @p path ("time/step"), making the lists on the way where there are none.
   void set_parameter(RawList &root, const std::string &path, const std::string &text, bool from_override);
 

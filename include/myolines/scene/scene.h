@@ -22,6 +22,9 @@ namespace myolines::scene
     std::string           text(const std::string &name) const; ///< also for choices
     std::filesystem::path file(const std::string &name) const; ///< resolved against the folder of the scene
 
+    /// All files that this list and those in it name.
+    std::vector<std::filesystem::path> files() const;
+
     /// True if a value or default of @p name is there, or the (optional) list @p name was written.
     bool has(const std::string &name) const;
     /// True if the scene itself wrote @p name.

@@ -32,6 +32,8 @@ namespace myolines::study
     std::filesystem::path                                       program;     ///< that has the command `run`
     std::function<int(const std::vector<std::string> &command)> run_in_copy; ///< see RunnerOptions; may be none
     std::function<void()>                                       start_mpi;   ///< called after the runs and before they are measured
+    /// How many of so many runs of so many ranks each, asked for or not, have room at a time, once all cases were resolved; may be none.
+    std::function<unsigned int(unsigned int jobs, unsigned int ranks, bool asked_for)> fitting_jobs;
     /// The resolved scene of a case. @throws InputError if the settings do not fit the scene.
     std::function<std::string(const std::filesystem::path &scene, const std::vector<std::string> &settings)> resolve;
     std::function<int()>                                                                                     stop_signal;

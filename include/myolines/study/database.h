@@ -35,7 +35,7 @@ namespace myolines::study
 
   /// The SQLite file that keeps what a study has found: table `cases`, a row for each ended run, and table `results`.
   /// Every call is one transaction, on the disk when it returns.
-  /// @throws InputError if the file is no such database, std::runtime_error if the disk refuses.
+  /// @throws InputError if the file is no such database or damaged, SystemError if the disk refuses.
   class Database
   {
   public:
@@ -56,6 +56,7 @@ namespace myolines::study
     class Statement;
     class Transaction;
     void execute(const std::string &sql) const;
+    void require_whole() const; ///< @throws InputError
 
     std::filesystem::path file_;
     sqlite3              *handle_ = nullptr;

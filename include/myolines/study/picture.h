@@ -38,6 +38,6 @@ namespace myolines::study
   bool has_points(const Picture &picture);
 
   /// Writes NAME.gp, NAME.png and NAME.svg of each picture that has points to @p folder, which is made if need be; how many.
-  /// @throws InputError if the folder cannot be written or there is no gnuplot, std::runtime_error with its words if it fails.
+  /// @throws InputError if the folder cannot be written or there is no gnuplot, SystemError with its words if it fails.
   std::size_t draw(const std::vector<Picture> &pictures, const std::filesystem::path &folder);
 } // namespace myolines::study

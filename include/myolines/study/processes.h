@@ -29,7 +29,7 @@ namespace myolines::study
     Processes(const Processes &)            = delete;
     Processes &operator=(const Processes &) = delete;
 
-    /// Starts @p command; what it prints goes to the file @p console. @throws std::runtime_error if the system refuses.
+    /// Starts @p command; what it prints goes to the file @p console. @throws SystemError.
     pid_t start(const std::vector<std::string> &command, const std::filesystem::path &console);
 
     /// Starts @p body in a copy of this process, which ends with the exit code that it returns. The copy has no open files of this

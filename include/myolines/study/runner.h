@@ -21,9 +21,11 @@ namespace myolines::study
     unsigned int                                                jobs  = 1;     ///< runs at a time
     bool                                                        retry = false; ///< cases that did not end as "done" are run again
     /// The resolved scene of a case. @throws InputError if its settings do not fit the scene.
-    std::function<std::string(const std::vector<std::string> &settings)> resolve;
-    std::function<int()>                                                 stop_signal;        ///< 0 until one is noted
-    std::ostream                                                        *terminal = nullptr; ///< for the progress; may be none
+    std::function<std::string(const Case &which)> resolve;
+    /// How many of the jobs have room at a time, once all cases were resolved; may be none. @throws InputError.
+    std::function<unsigned int(unsigned int jobs)> fitting_jobs;
+    std::function<int()>                           stop_signal;        ///< 0 until one is noted
+    std::ostream                                  *terminal = nullptr; ///< for the progress; may be none
   };
 
   /// How far a study has come.

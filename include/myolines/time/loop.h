@@ -53,6 +53,9 @@ namespace myolines
   public:
     virtual ~Keeper() = default;
 
+    /// The run begins with this state, after its observers; not in a resumed run.
+    virtual void begun(const State &) {}
+
     /// After every accepted step, after its observers. A text ends the run: why.
     virtual std::optional<std::string> accepted(const State &state, std::size_t step) = 0;
 
@@ -66,7 +69,8 @@ namespace myolines
     double              end    = 0; ///< [s]
     Events              events = Events::restart;
     std::vector<double> landings;       ///< further times to land on [s], ascending
-    std::size_t         steps_done = 0; ///< accepted steps before the given state, of a resumed run
+    std::size_t         steps_done = 0;     ///< accepted steps before the given state, of a resumed run
+    bool                resumed    = false; ///< integrator and control have been loaded
   };
   /// @throws InputError if `land on` holds what is no time between start and end.
   LoopSettings loop_settings(const scene::Node &time);
@@ -75,12 +79,13 @@ namespace myolines
   /// (unless ignored) on events; restarts the integrator after events where so set. A remainder within time_tolerance is
   /// merged into the step, so that rounding makes no sliver steps. Landing times are set, never accumulated.
   ///
-  /// A state at settings.start begins the run: the integrator is started. A later one resumes it: integrator and control
-  /// have been loaded, and the run goes on as if it had not stopped.
+  /// The state begins the run, the integrator is started; or it resumes one, integrator and control having been loaded, that goes on as if
+  /// it had not stopped.
   ///
   /// Ledger: "accepted steps", "rejected steps", "restarts at events".
   /// @throws SolveError with reason, time and last step size when the control gives up, Interrupted when the keeper ends the
-  /// run; observers were told before.
+  /// run, SystemError with step and time where the system refuses (on the ranks that notice); observers were told before. What fails while
+  /// the run is closed is told behind the reason.
   void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
                 const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper = nullptr);
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace myolines
+{
+  /// While it lives, no other process has the lock of @p file (one of its parts may, if it is shared). The system frees it when the
+  /// process ends, however it ends. The file stays, as another process may be waiting at it.
+  class FileLock
+  {
+  public:
+    enum class Kind
+    {
+      shared,
+      exclusive
+    };
+
+    /// @p holder is what another process that has it would be: "another run", for the message. A file system that knows no locks gives
+    /// none. @throws InputError if another process has it.
+    FileLock(const std::filesystem::path &file, Kind kind, const std::string &holder);
+    ~FileLock();
+    FileLock(const FileLock &)            = delete;
+    FileLock &operator=(const FileLock &) = delete;
+
+  private:
+    int descriptor_;
+  };
+} // namespace myolines

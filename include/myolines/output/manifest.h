@@ -1,0 +1,43 @@
+#pragma once
+
+#include <myolines/output/output_folder.h>
+#include <myolines/system/ledger.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace myolines
+{
+  /// What manifest.json tells of a run beside program, versions and host.
+  struct RunRecord
+  {
+    std::string                        command_line;
+    std::string                        started; ///< as iso8601_now() gives it
+    std::string                        resumed; ///< from what; "" if the run began at its start
+    std::map<std::string, std::string> inputs;  ///< files that it reads, with their checksums (CRC-32)
+  };
+
+  /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, input files, files noted in @p folder, exit reason;
+  /// "finished" is the moment of writing. Rank 0 writes. Where the disk is full it is written over the one that is there.
+  /// @throws SystemError if that is not possible either.
+  void write_manifest(const OutputFolder &folder, const RunRecord &record, const std::string &exit_reason);
+
+  /// The manifest of this program in @p folder: what it lists as files of the run, and as its exit reason. None if there is none.
+  /// @throws InputError if manifest.json is there but not of this program, or damaged. On the rank that calls.
+  struct Manifest
+  {
+    std::set<std::string> files; ///< names relative to the folder, and patterns of OutputFolder::note()
+    std::string           exit_reason;
+    bool                  lists_files = true; ///< versions before 0.2 did not
+  };
+  std::optional<Manifest> read_manifest(const std::filesystem::path &folder);
+
+  /// Adds @p names to the files that the manifest in @p folder lists, if there is one of this program. Rank 0 writes.
+  void list_in_manifest(const std::filesystem::path &folder, const std::vector<std::string> &names);
+
+  /// ledger.json: counts and seconds by phase, those of rank 0.
+  void write_ledger(const OutputFolder &folder, const WorkLedger &ledger);
+} // namespace myolines

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <myolines/output/file_lock.h>
+#include <myolines/output/output_folder.h>
+
+#include <optional>
+
+namespace myolines
+{
+  /// The output folder of a run, into which no other run writes while the object lives. All members are collective.
+  class RunFolder
+  {
+  public:
+    /// Makes the folder if need be. @throws InputError if it cannot be made and written, holds what is not of this program, or another
+    /// run writes there; SystemError if the disk refuses.
+    explicit RunFolder(std::filesystem::path folder);
+
+    const std::filesystem::path &path() const { return path_; }
+
+    /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones.
+    /// @throws InputError if these are of another scene than @p resolved and not to @p overwrite, or a file is not of a run.
+    OutputFolder begin(const std::string &resolved, bool overwrite) const;
+
+    /// For a run that goes on with what it @p saved.
+    OutputFolder resume(const std::string &resolved, const Archive &saved) const;
+
+  private:
+    void refuse_other_results(const std::string &resolved, bool overwrite) const;
+    void remove_old_results() const;
+
+    std::filesystem::path   path_;
+    std::optional<FileLock> lock_; ///< on the rank that writes
+  };
+
+  /// True if the run in @p folder is done, as its manifest says; false if there is none that says so. Collective.
+  bool run_is_done(const std::filesystem::path &folder);
+} // namespace myolines

@@ -1,0 +1,216 @@
+// Requirement: what the system refuses ends a run with exit code 4, its first reason and everything before it whole; nothing of others is
+// touched; names are never commands.
+
+#include "program_runner.h"
+#include "small_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+namespace
+{
+  struct Faulty : TestFolder
+  {
+    Faulty()
+    {
+      write("swing.xml", oscillator_scene);
+      write("muscle.xml", muscle_scene);
+    }
+    std::string text(const std::string &file) const { return contents(*this / file); }
+    bool        is_there(const std::string &file) const { return std::filesystem::exists(*this / file); }
+  };
+
+  bool has(const std::string &text, const std::string &word) { return text.find(word) != std::string::npos; }
+
+  /// No file may become longer than so many kilobytes: what a full disk is to a program, at a byte of our choice.
+  std::string files_up_to(const int kilobytes) { return "bash -c 'ulimit -f " + std::to_string(kilobytes) + "; exec \"$@\"' bash"; }
+
+  const std::string long_run =
+      "run swing.xml --out part --set time/step=1e-3 --set output/checkpoint/every=50 --set output/checkpoint/seconds=0 ";
+} // namespace
+
+TEST(SystemRefuses, ATableThatTheDiskDoesNotTake)
+{
+  const Faulty  folder;
+  const Outcome refused = run_program(folder, long_run, files_up_to(20));
+  EXPECT_EQ(refused.exit_code, 4) << refused.err;
+  EXPECT_TRUE(has(refused.err, "The system refused: cannot write")) << refused.err;
+  EXPECT_TRUE(has(refused.err, ".csv: File too large, after step ")) << refused.err;
+  EXPECT_TRUE(has(refused.err, "To resume: ")) << refused.err;
+  EXPECT_TRUE(has(folder.text("part/manifest.json"), "the system refused: cannot write")) << folder.text("part/manifest.json");
+  EXPECT_TRUE(has(folder.text("part/run.log"), "stopped: cannot write")) << folder.text("part/run.log");
+  for (const char *table : {"trajectory.csv", "steps.csv"})
+    EXPECT_EQ(folder.text(std::string("part/") + table).back(), '\n') << table << " ends with a whole row";
+
+  ASSERT_EQ(run_program(folder, long_run + "--resume").exit_code, 0);
+  ASSERT_EQ(run_program(folder, long_run + "--out whole").exit_code, 1 + 1) << "two folders are one too many";
+  std::string elsewhere = long_run;
+  elsewhere.replace(elsewhere.find("part"), 4, "whole");
+  ASSERT_EQ(run_program(folder, elsewhere).exit_code, 0);
+  EXPECT_EQ(folder.text("part/trajectory.csv"), folder.text("whole/trajectory.csv"));
+}
+
+TEST(SystemRefuses, HdfFilesAndFields)
+{
+  for (const char *output : {"--set output/quadrature/every=1", "--set output/quadrature/format=flexodeal",
+                             "--set output/fields/what=displacement", "--set output/fields/format=hdf5"})
+    {
+      const Faulty  folder;
+      const Outcome refused =
+          run_program(folder, std::string("run muscle.xml --out out --set system/geometry/refinement=1 --set time/step=0.001 ") + output,
+                      files_up_to(24));
+      EXPECT_EQ(refused.exit_code, 4) << output << "\n" << refused.err;
+      EXPECT_TRUE(has(refused.err, "File too large, after step ")) << refused.err;
+      EXPECT_FALSE(has(refused.err, "HDF5-DIAG")) << refused.err;
+      EXPECT_TRUE(has(folder.text("out/manifest.json"), "the system refused: cannot write")) << folder.text("out/manifest.json");
+    }
+}
+
+TEST(SystemRefuses, MemoryThatIsNotThere)
+{
+  const Faulty  folder;
+  const Outcome refused =
+      run_program(folder, "check muscle.xml --set system/geometry/refinement=4", "bash -c 'ulimit -v 600000; exec \"$@\"' bash");
+  EXPECT_TRUE(refused.exit_code == 2 || refused.exit_code == 4) << refused.exit_code << refused.err;
+  EXPECT_FALSE(has(refused.err, "Internal error")) << refused.err;
+}
+
+TEST(SystemRefuses, StandardOutputThatIsFull)
+{
+  const Faulty      folder;
+  const std::string command =
+      "cd '" + folder.path().string() + "' && '" + myolines::test::program_file() + "' run swing.xml --out out > /dev/full 2> err.txt";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+  EXPECT_TRUE(has(folder.text("err.txt"), "cannot write standard output"));
+  EXPECT_TRUE(has(folder.text("out/manifest.json"), "\"done\"")) << "the run itself is whole";
+}
+
+TEST(SystemRefuses, ARunGoesOnWithoutItsReader)
+{
+  const Faulty      folder;
+  const std::string command =
+      "cd '" + folder.path().string() + "' && { '" + myolines::test::program_file() + "' run swing.xml --out out 2> err.txt; } | true";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(has(folder.text("out/manifest.json"), "\"done\""));
+}
+
+TEST(SystemRefuses, AHangUpIsASignalToStopUnlessItIsIgnored)
+{
+  const Faulty      folder;
+  const std::string run =
+      " '" + myolines::test::program_file() + "' run swing.xml --quiet --set time/step=2e-5 --set output/checkpoint/seconds=600 --out ";
+  const auto hang_up = [&](const std::string &how, const std::string &out) {
+    return std::system(("cd '" + folder.path().string() + "'; " + how + run + out + " > o.txt 2> e.txt & p=$!; while [ ! -s '" +
+                        (folder / out).string() + "/steps.csv' ]; do sleep 0.02; done; sleep 0.1; kill -HUP $p; wait $p")
+                           .c_str());
+  };
+  EXPECT_EQ(WEXITSTATUS(hang_up("", "stopped")), 3);
+  EXPECT_TRUE(has(folder.text("stopped/manifest.json"), "asked to stop by the signal"));
+  EXPECT_EQ(WEXITSTATUS(hang_up("nohup", "ignored")), 0);
+}
+
+TEST(RunFolders, ResultsOfAnotherSceneNeedToBeOverwritten)
+{
+  const Faulty      folder;
+  const std::string run = "run swing.xml --out out --quiet ";
+  ASSERT_EQ(run_program(folder, run).exit_code, 0);
+  ASSERT_EQ(run_program(folder, run).exit_code, 0) << "the same again";
+  const std::string before  = folder.text("out/trajectory.csv");
+  const Outcome     refused = run_program(folder, run + "--set system/mass=3");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(has(refused.err, "--overwrite")) << refused.err;
+  EXPECT_EQ(folder.text("out/trajectory.csv"), before);
+  ASSERT_EQ(run_program(folder, run + "--set system/mass=3 --overwrite").exit_code, 0);
+  EXPECT_NE(folder.text("out/trajectory.csv"), before);
+}
+
+TEST(RunFolders, FilesOfOthersAreLeftAlone)
+{
+  const Faulty folder;
+  std::filesystem::create_directories(folder / "out");
+  folder.write("out/trajectory.csv", "mine");
+  const Outcome refused = run_program(folder, "run swing.xml --out out --overwrite");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(has(refused.err, "trajectory.csv")) << refused.err;
+  EXPECT_EQ(folder.text("out/trajectory.csv"), "mine");
+}
+
+TEST(RunFolders, PlotDrawsWhatTheRunWroteAndNothingElse)
+{
+  const Faulty folder;
+  ASSERT_EQ(run_program(folder, "run swing.xml --out out --quiet --set output/motion/interval=0.1").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "plot out").exit_code, 0);
+  EXPECT_TRUE(folder.is_there("out/pictures/motion_m.png") || folder.is_there("out/pictures/motion.png")) << "columns of the table";
+  ASSERT_EQ(run_program(folder, "run swing.xml --out out --quiet --overwrite").exit_code, 0);
+  EXPECT_FALSE(folder.is_there("out/motion.csv"));
+  EXPECT_FALSE(folder.is_there("out/pictures"));
+  folder.write("out/other.csv", "Time [s],x [m]\n0,1\n1,2\n");
+  ASSERT_EQ(run_program(folder, "plot out").exit_code, 0);
+  EXPECT_TRUE(folder.is_there("out/pictures"));
+  EXPECT_FALSE(folder.is_there("out/pictures/other_m.png"));
+}
+
+TEST(RunFolders, NamesAreNeverCommands)
+{
+  const Faulty folder;
+  for (const std::string name : {"Anna's run", "'; system(\"touch executed\"); #", "`touch executed`", "$(touch executed)", "{a,b}", "a\nb",
+                                 "[x] ~y \"z\" \\n", "-x"})
+    {
+      // Through a variable: the shell of this test has nothing to read into the name.
+      setenv("NAME", name.c_str(), 1);
+      const Outcome run = run_program(folder, "run swing.xml --set time/step=0.1 --out \"./$NAME\"");
+      ASSERT_EQ(run.exit_code, 0) << name << run.err;
+      const std::size_t hint = run.out.find("plot ");
+      ASSERT_NE(hint, std::string::npos) << run.out;
+      // The line that was printed does what it says.
+      const std::size_t begin = run.out.rfind('\n', hint) + 1;
+      std::size_t       end   = run.out.find("\n  ", hint);
+      const std::string line  = run.out.substr(begin, end - begin);
+      EXPECT_EQ(std::system(("cd '" + folder.path().string() + "' && { " + line + "\n} > plot.txt 2>&1").c_str()), 0)
+          << line << folder.text("plot.txt");
+      EXPECT_TRUE(std::filesystem::exists(folder.path() / name / "pictures")) << name;
+      EXPECT_FALSE(folder.is_there("executed")) << name;
+    }
+}
+
+TEST(Inputs, WhatIsNoTextIsTold)
+{
+  const Faulty folder;
+  std::string  latin = oscillator_scene, cut = oscillator_scene, utf16 = "\xFF\xFE";
+  latin.insert(latin.find("  <Par"), "<!-- M\xFCller -->");
+  cut[cut.find("mass")] = '\0';
+  for (const char c : oscillator_scene)
+    utf16 += std::string({c, '\0'});
+  folder.write("latin.xml", latin);
+  folder.write("zero.xml", cut);
+  folder.write("utf16.xml", utf16);
+  folder.write("bom.xml", "\xEF\xBB\xBF" + oscillator_scene);
+  ASSERT_EQ(mkfifo((folder / "pipe.xml").c_str(), 0600), 0);
+  for (const auto &[file, told] : {std::pair<const char *, const char *>{"latin.xml", "0xFC in line 3 is not UTF-8"},
+                                   {"zero.xml", "zero byte in line"},
+                                   {"utf16.xml", "UTF-16"},
+                                   {"pipe.xml", "it is a pipe"},
+                                   {"/dev/zero", "it is a device"},
+                                   {"''", "there is no such file"}})
+    {
+      const Outcome outcome = run_program(folder, std::string("check ") + file, "timeout 20");
+      EXPECT_EQ(outcome.exit_code, 2) << file << outcome.err;
+      EXPECT_TRUE(has(outcome.err, told)) << outcome.err;
+    }
+  EXPECT_EQ(run_program(folder, "check bom.xml").exit_code, 0);
+}
+
+TEST(Inputs, IntervalsBelowTheRoundingOfTimesAreRefused)
+{
+  const Faulty  folder;
+  const Outcome refused = run_program(folder, "check swing.xml --set output/motion/interval=1e-300");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(has(refused.err, "below the rounding of the times")) << refused.err;
+  const Outcome many = run_program(folder, "check swing.xml --set output/motion/interval=1e-7");
+  EXPECT_EQ(many.exit_code, 0);
+  EXPECT_TRUE(has(many.out, "output/motion will have 1e+07 rows")) << many.out;
+}

@@ -1,0 +1,71 @@
+// Requirement: what the XML parser would tell in words that do not help, or would not survive, is told with its line.
+
+#include <myolines/scene/scene.h>
+
+#include <gtest/gtest.h>
+
+using namespace myolines;
+using namespace myolines::scene;
+
+namespace
+{
+  std::string told(const std::string &xml)
+  {
+    try
+      {
+        parse_scene(xml, Schema("Root.").text("title", "", "Title.").text("formula", "", "Formula."), "test.xml");
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  std::string with_formula(const std::string &formula)
+  {
+    return "<ParameterList name=\"scene\">\n<Parameter name=\"formula\" type=\"string\" value=\"" + formula + "\"/>\n</ParameterList>\n";
+  }
+} // namespace
+
+TEST(Xml, BareSignsInFormulasAreToldWithHowToWriteThem)
+{
+  for (const char *good : {"x &lt; 1", "x > 1", "x > 0 &amp;&amp; y > 0", "&#60; &quot;&apos;&gt;", "x - y"})
+    EXPECT_EQ(told(with_formula(good)), "") << good;
+  EXPECT_NE(told(with_formula("x < 1")).find("test.xml, line 2: there is a bare < in a value"), std::string::npos);
+  EXPECT_NE(told(with_formula("x < 1")).find("write &lt;"), std::string::npos);
+  for (const char *bad : {"x > 0 && y > 0", "a & b", "&", "&lt x", "&#; x"})
+    {
+      EXPECT_NE(told(with_formula(bad)).find("there is a bare & in a value"), std::string::npos) << bad;
+      EXPECT_NE(told(with_formula(bad)).find("write &amp;"), std::string::npos) << bad;
+    }
+}
+
+TEST(Xml, SignsElsewhereAreNoMatter)
+{
+  EXPECT_EQ(told("<?xml version=\"1.0\"?>\n<!-- a < b && \"c -->\n<ParameterList name='scene'><Parameter name='title' type='string' "
+                 "value='say \"a > b\"'/></ParameterList>"),
+            "");
+}
+
+TEST(Xml, DeepNestingIsRefusedNotWalked)
+{
+  const auto nested = [](const int depth) {
+    std::string xml = "<ParameterList name=\"scene\">";
+    for (int i = 0; i < depth; ++i)
+      xml += "<ParameterList name=\"a\">\n";
+    for (int i = 0; i < depth; ++i)
+      xml += "</ParameterList>";
+    return xml + "</ParameterList>";
+  };
+  EXPECT_NE(told(nested(60)).find("unknown list \"a\""), std::string::npos);
+  EXPECT_NE(told(nested(100)).find("more than 64 elements"), std::string::npos);
+  EXPECT_NE(told(nested(1000000)).find("more than 64 elements"), std::string::npos);
+}
+
+TEST(Xml, WhatIsCutOffIsTold)
+{
+  const std::string whole = with_formula("x");
+  for (std::size_t n = 1; n + 2 < whole.size(); ++n)
+    EXPECT_NE(told(whole.substr(0, n)), "") << whole.substr(0, n);
+}
