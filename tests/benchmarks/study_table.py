@@ -3,7 +3,8 @@
 
 Runs the study, one case at a time, and prints its quantities: a row for every point of the axes of --rows, a column for every point of those of --columns
 and every quantity, or with --together all quantities in one. The points of --within stand side by side in one cell. Quantities
-are those of study.csv and seconds.csv, and "CPU [s]"; "fails" stands where a run did. --equal-error prints what equal_error.csv has instead.
+are those of study.csv and seconds.csv; "fails" stands where a run did. --equal-error WORKS prints instead what these cost at the target of a
+work-precision study, as equal_error.csv has it.
 $MYOLINES_RESULTS, if set, is where the study's folder is kept: called again with it, nothing is run again.
 """
 
@@ -19,10 +20,12 @@ from block import ENVIRONMENT
 SECONDS = "[s]"
 
 
-def run_study(program, study, results):
-    """Rows of study.csv and, where there is one, of equal_error.csv, as dictionaries; seconds are among those of the first."""
+def run_study(program, study, results, *settings):
+    """Rows of study.csv with those of seconds.csv, and of equal_error.csv where there is one, as dictionaries."""
     folder = os.path.join(results, os.path.splitext(os.path.basename(study))[0])
-    subprocess.run([program, "study", study, "--out", folder, "--quiet", "--jobs", "1"], check=True, env=ENVIRONMENT, stdout=sys.stderr)
+    command = [program, "study", study, "--out", folder, "--quiet", "--jobs", "1", *settings]
+    if subprocess.run(command, env=ENVIRONMENT, stdout=sys.stderr, check=False).returncode != 0:
+        raise SystemExit(1)
 
     def rows(name):
         if not os.path.exists(os.path.join(folder, name)):
@@ -103,6 +106,21 @@ def print_cases(rows, given):
     print_table(heads, lines)
 
 
+def print_equal_error(given, results):
+    """What each of the works costs: methods in the order of the study."""
+    costs = {}
+    for work in given.equal_error:
+        rows = run_study(given.program, given.study, results, "--set", f"work={work}")[1]
+        if not rows:
+            raise SystemExit("the study has no target: its kind is not work-precision")
+        costs[work] = {next(iter(row.values())): row for row in rows}
+    lines = []
+    for method in next(iter(costs.values())):
+        rows = [(work, costs[work][method]) for work in costs]
+        lines.append([method] + [f"{float(row[work]):.{given.digits}g}" if row[work] else row["notes"] for work, row in rows])
+    print_table(["method"] + [work + (" [s]" if work.startswith("CPU") else "") for work in costs], lines)
+
+
 def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("program")
@@ -113,14 +131,14 @@ def main():
     arguments.add_argument("--together", action="store_true")
     arguments.add_argument("--only", nargs="+", default=[], metavar="AXIS=POINT|POINT")
     arguments.add_argument("--digits", type=int, default=2)
-    arguments.add_argument("--equal-error", action="store_true")
+    arguments.add_argument("--equal-error", nargs="+", default=[], metavar="WORK")
     given = arguments.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
-        cases, equal = run_study(given.program, given.study, os.environ.get("MYOLINES_RESULTS", scratch))
-    if given.equal_error:
-        print_table(list(equal[0]), [[written(row[head], head, given.digits) if head != "method" else row[head] for head in row] for row in equal])
-    else:
-        print_cases([row for row in cases if row["role"] == "case"], given)
+        results = os.environ.get("MYOLINES_RESULTS", scratch)
+        if given.equal_error:
+            print_equal_error(given, results)
+        else:
+            print_cases([row for row in run_study(given.program, given.study, results)[0] if row["role"] == "case"], given)
 
 
 if __name__ == "__main__":
