@@ -12,7 +12,7 @@ import sys
 from block import ENVIRONMENT
 
 CHOICES = {"scheme, land": [], "exact, land": ["time/boundary rates=exact"], "exact, restart": ["time/boundary rates=exact", "time/events=restart"],
-           "exact, restart, impulse": ["time/boundary rates=exact", "time/events=restart", "time/impulse at kinks=true"]}
+           "exact, restart, impulse": ["time/boundary rates=exact", "time/events=restart", "time/start velocity=impulse"]}
 
 
 def column(program, settings, steps):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""A study as a table in Markdown: study_table.py PROGRAM STUDY.xml --rows AXES [--columns AXES] [--within AXIS] --values NAMES ...
+"""A study as a table in Markdown: study_table.py PROGRAM STUDY.xml --rows AXES [--columns AXES] [--only AXIS=POINT] --values NAMES ...
 
 Runs the study, one case at a time, and prints its quantities: a row for every point of the axes of --rows, a column for every point of those of --columns
-and every quantity, or with --together all quantities in one. The points of --within stand side by side in one cell. Quantities
+and every quantity, or with --together all quantities in one. Cases at the same points of both stand side by side in one cell. Quantities
 are those of study.csv and seconds.csv; "fails" stands where a run did. --equal-error WORKS prints instead what these cost at the target of a
 work-precision study, as equal_error.csv has it.
 $MYOLINES_RESULTS, if set, is where the study's folder is kept: called again with it, nothing is run again.
@@ -43,18 +43,16 @@ def written(text, name, digits):
         return ""
     value = float(text)
     if name.endswith(SECONDS):
-        return f"{value:.{digits}g}"
+        return f"{float(f'{value:.{digits}g}'):g}"
     if value == int(value) and "." not in text and "e" not in text:
         return str(int(value))
-    if 0.01 <= abs(value) < 1000 and not name.startswith("error"):
-        return f"{value:.{digits}g}"
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
     return f"{mantissa}e{int(exponent)}"
 
 
-def head_of(axis, row):
-    """The column of an axis, which has a unit where the axis has: "step [s]"."""
-    return next((head for head in row if head == axis or head.startswith(axis + " [")), axis)
+def head_of(name, row):
+    """The column of an axis or a quantity, which has a unit where these have: "step [s]"."""
+    return next((head for head in row if head == name or head.startswith(name + " [")), name)
 
 
 def labels(rows, axes):
@@ -64,7 +62,7 @@ def labels(rows, axes):
 
 
 def entry(rows, names, given):
-    """One cell: quantities together, points of `within` side by side."""
+    """One cell: quantities together, cases side by side."""
     parts = []
     for row in rows:
         if row["status"] != "done":
@@ -87,6 +85,7 @@ def print_cases(rows, given):
         rows = [row for row in rows if row.get(head) in allowed.split("|")]
     if not rows:
         raise SystemExit("no case is left by --only")
+    given.values = [head_of(name, rows[0]) for name in given.values]
     missing = [name for name in given.values if name not in rows[0]]
     if missing:
         raise SystemExit(f"the study has no {missing[0]}; it has " + ", ".join(rows[0]))
@@ -117,7 +116,7 @@ def print_equal_error(given, results):
     lines = []
     for method in next(iter(costs.values())):
         rows = [(work, costs[work][method]) for work in costs]
-        lines.append([method] + [f"{float(row[work]):.{given.digits}g}" if row[work] else row["notes"] for work, row in rows])
+        lines.append([method] + [(f"{float(row[work]):.2f}" if work.startswith("CPU") else f"{float(row[work]):.1f}") if row[work] else row["notes"] for work, row in rows])
     print_table(["method"] + [work + (" [s]" if work.startswith("CPU") else "") for work in costs], lines)
 
 

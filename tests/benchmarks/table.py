@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What the isometric block costs: table.py PROGRAM [--refinements 2 3 4] [--ranks 1] [--points 3] [--steps 8] [--triad BENCHMARK_TRIAD]
 
-Three tables: counts, which do not depend on the machine; seconds and memory; and where the wall-clock time of the first rank goes, in percent of it. Bytes per
-unknown are what the processes hold beyond that of a block of one cell, at their peak. --triad measures the memory of the machine beside each run:
+Three tables: counts, which do not depend on the machine; seconds and memory; and where the wall-clock time of the first rank goes, in percent of it. Memory per
+unknown is what the processes hold beyond that of a block of one cell, at their peak; tangent actions are millions of unknowns a second. --triad measures the memory of the machine beside each run:
 20 sums of two vectors by as many processes as there are ranks. Run it alone on the machine.
 """
 
@@ -12,9 +12,9 @@ import subprocess
 from block import ENVIRONMENT, block, cells, run, unknowns
 
 COUNTS = ["Newton per step", "Krylov per Newton", "set-ups", "residuals per step"]
-COSTS = ["CPU s per step", "wall s per step", "set-up [s]", "element matrices [us/cell]", "application [ms]", "tangent action [10^6 unknowns/s]", "MB per rank",
-         "bytes per unknown", "triad [GB/s]"]
-PHASES = ["tangent actions", "Schwarz", "coarse solves", "rest of the linear solves", "set-ups of all", "residuals", "outputs", "all else"]
+COSTS = ["CPU per step [s]", "wall clock per step [s]", "set-up [s]", "element matrices [us/cell]", "application [ms]", "tangent action [10^6/s]",
+         "memory per rank [MB]", "per unknown [B]", "triad [GB/s]"]
+PHASES = [what + " [%]" for what in ("tangent actions", "Schwarz", "coarse solves", "rest of the linear solves", "set-ups", "residuals", "outputs", "all else")]
 
 
 def counts(cost):
