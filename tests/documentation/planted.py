@@ -5,11 +5,17 @@ Each page is right but for one fault, which must be found with page and line; pa
 and nothing else. The commands of the pages print fixed tables, so that no program is run.
 """
 
+import contextlib
+import importlib.machinery
+import importlib.util
+import io
 import os
 import re
 import shutil
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
 
 TABLE = """\
 | method | steps | error | CPU [s] |
@@ -66,6 +72,10 @@ class Pages:
 
     def __init__(self, check, scratch):
         self.check, self.root = check, scratch
+        loader = importlib.machinery.SourceFileLoader("check", check)  # it has no ending
+        module = importlib.util.module_from_spec(importlib.util.spec_from_loader("check", loader))
+        loader.exec_module(module)
+        self.main = module.main
         shutil.rmtree(scratch, ignore_errors=True)
         for folder in ("doc/deep", "tests", "bin"):
             os.makedirs(os.path.join(scratch, folder))
@@ -88,8 +98,15 @@ class Pages:
     def run(self, text, *options):
         """Exit code and all that is said of a page."""
         self.put("doc/deep/page.md", text)
-        done = subprocess.run([self.check, "--root", self.root, "--program", self.program, *options], capture_output=True, text=True)
-        return done.returncode, done.stdout + done.stderr
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+            code = self.main(["--root", self.root, "--program", self.program, *options])
+        return code, said.getvalue()
+
+    def exit_code(self, text):
+        """Of the program itself."""
+        self.put("doc/deep/page.md", text)
+        return subprocess.run([self.check, "--root", self.root, "--program", self.program], capture_output=True, check=False).returncode
 
 
 def page(table=TABLE, long=TABLE):
@@ -165,6 +182,8 @@ def failures(pages):
         for options in (["--markers"], []):
             code, said = pages.run(text, *options)
             expect(what, code == 2 and f"doc/deep/page.md:{line}: " in said and complaint in said, f"exit code {code}, {said}")
+    codes = [pages.exit_code(text) for text in (RIGHT[0][1], DIFFERENT[0][1], BROKEN[0][1])]
+    expect("exit codes", codes == [0, 1, 2], codes)
     code, said = pages.run(page(), "no such block")
     expect("an unknown name", code == 2 and "there are exact, table" in said, said)
 
@@ -186,7 +205,7 @@ def main():
     found = failures(Pages(os.path.join(root, "doc", "check"), scratch))
     for text in found:
         print(text)
-    print(f"{len(RIGHT) + len(DIFFERENT) + 2 * len(BROKEN) + 4 - len(found)} cases as they should be, {len(found)} not")
+    print(f"{len(RIGHT) + len(DIFFERENT) + 2 * len(BROKEN) + 5 - len(found)} cases as they should be, {len(found)} not")
     return 1 if found else 0
 
 
