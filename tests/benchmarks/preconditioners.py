@@ -31,20 +31,22 @@ def main():
     arguments.add_argument("--preconditioners", nargs="+", default=["p multigrid", "ml", "direct", "jacobi"])
     arguments.add_argument("--kappas", nargs="+", default=["1e6", "1e7", "1e8"])
     given = arguments.parse_args()
-    print("| refinement | kappa [Pa] | state | " + " | ".join(given.preconditioners) + " |")
-    print("|---|---|---|" + "---|" * len(given.preconditioners))
+    heads = ["refinement", "kappa [Pa]", "state"] + given.preconditioners + [f"{name}: CPU [s]" for name in given.preconditioners]
+    print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
     for refinement in given.refinements:
         for kappa in given.kappas:
             for state, level in STATES.items():
-                entries = []
+                entries, seconds = [], []
                 for preconditioner in given.preconditioners:
                     try:
                         cost = run(given.program, settings(refinement, kappa, level, preconditioner), scene=SCENE)
                         krylov = cost.count("linear iterations") / cost.count("newton iterations")
-                        entries.append(f"{krylov:.1f} ({cost.cpu / cost.accepted:.2g} s)")
+                        entries.append(f"{krylov:.1f}")
+                        seconds.append(f"{cost.cpu / cost.accepted:.2g}")
                     except RuntimeError as error:
                         entries.append("fails: " + str(error).split(":")[0])
-                print(f"| {refinement} | {kappa} | {state} | " + " | ".join(entries) + " |", flush=True)
+                        seconds.append("")
+                print(f"| {refinement} | {kappa} | {state} | " + " | ".join(entries + seconds) + " |", flush=True)
 
 
 if __name__ == "__main__":
