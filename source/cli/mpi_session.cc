@@ -10,9 +10,12 @@ namespace myolines
 {
   namespace
   {
-    /// For Open MPI, of a process that is no rank of a job: no helper daemon, and no search for networks that it will not use.
-    constexpr std::pair<const char *, const char *> alone[] = {
-        {"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_pml", "ob1"}, {"OMPI_MCA_btl", "self"}};
+    /// For Open MPI, of a process that is no rank of a job: no helper daemon, no search for networks that it will not use, and no session
+    /// folder, which all such processes would make and remove under the same name at the same time.
+    constexpr std::pair<const char *, const char *> alone[] = {{"OMPI_MCA_ess_singleton_isolated", "1"},
+                                                               {"OMPI_MCA_orte_create_session_dirs", "0"},
+                                                               {"OMPI_MCA_pml", "ob1"},
+                                                               {"OMPI_MCA_btl", "self"}};
   } // namespace
 
   MpiSession::MpiSession(int &argc, char **&argv)
