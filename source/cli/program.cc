@@ -275,7 +275,10 @@ namespace myolines
         std::this_thread::sleep_for(std::chrono::seconds(1)); // if the first rank knows of it as well, it says so
       std::cerr << kind << what << std::endl;
       if (several)
-        MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+        {
+          std::this_thread::sleep_for(std::chrono::milliseconds(300)); // until mpirun has passed the words on
+          MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
+        }
       return code;
     }
 

@@ -234,8 +234,8 @@ namespace myolines::study
       if (const auto all = versions(rows); all.size() > 1)
         out << "Warning: the cases were computed by different versions of the program: "
             << join(std::vector<std::string>(all.begin(), all.end())) << "\n";
-      out << "Results are in " << runner.folder.string() << ": study.csv, seconds.csv, study.sqlite; pictures: myolines plot "
-          << shell_text({runner.folder.string()}) << "\n";
+      out << "Results are in " << runner.folder.string() << ": study.csv, seconds.csv, study.sqlite; pictures: "
+          << shell_text({runner.program.string(), "plot", runner.folder.string()}) << "\n";
     }
   } // namespace
 

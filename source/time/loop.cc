@@ -35,6 +35,7 @@ namespace myolines
         , number_(settings.steps_done)
         , method_(method)
         , keeper_(keeper)
+        , rounding_(time_tolerance(std::max(std::abs(settings.start), std::abs(settings.end)), 0))
       {
         if (settings.events != Events::ignore)
           events_ = system.events(settings.start, settings.end);
@@ -84,11 +85,17 @@ namespace myolines
     protected:
       virtual void attempt() = 0;
 
-      /// What must be landed on next: events and given times, or the end.
-      double next_fixed() const
+      /// What must be landed on next: events and given times, or the end. Times that agree within the tolerance of a step of @p size are
+      /// one time: what lies that close to the state is now, and of several the last event counts, or else the first.
+      double next_fixed(const double size) const
       {
-        const auto fixed = std::upper_bound(landings_.begin(), landings_.end(), state_.t);
-        return fixed != landings_.end() ? std::min(*fixed, settings_.end) : settings_.end;
+        const double tolerance = std::max(time_tolerance(state_.t, size), rounding_);
+        const auto   fixed     = std::upper_bound(landings_.begin(), landings_.end(), state_.t + tolerance);
+        if (fixed == landings_.end())
+          return settings_.end;
+        const auto   behind = std::upper_bound(events_.begin(), events_.end(), *fixed + tolerance);
+        const double last   = behind == events_.begin() ? *fixed : *std::prev(behind);
+        return std::min(std::max(*fixed, last), settings_.end);
       }
 
       void tell_accepted(const StepRecord &record)
@@ -208,6 +215,7 @@ namespace myolines
       Keeper               *keeper_;
       std::vector<double>   events_;
       std::vector<double>   landings_;     ///< events and others
+      double                rounding_;     ///< of times of the run [s]
       std::optional<double> restarted_at_; ///< once, also if steps from there are repeated
     };
 
@@ -232,7 +240,7 @@ namespace myolines
         const double merge    = time_tolerance(t, proposed);
         double       target   = control_.next_landing(t);
         const bool   planned  = std::isfinite(target);
-        const double fixed    = next_fixed();
+        const double fixed    = next_fixed(proposed);
         if (fixed <= target + merge)
           target = fixed;
         if (settings_.end <= target + merge)
@@ -304,7 +312,7 @@ namespace myolines
       {
         const double begin = state_.t;
         StepRecord   record;
-        record.report = integrator_.advance(next_fixed(), state_);
+        record.report = integrator_.advance(next_fixed(0), state_);
         record.number = number_;
         record.t      = state_.t;
         record.dt     = state_.t - begin;

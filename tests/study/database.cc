@@ -81,8 +81,8 @@ TEST(StudyDatabase, RefusesDamagedPages)
   const TestFolder folder;
   const auto       file = folder / "study.sqlite";
   {
-    Database             database(file);
-    std::vector<Outcome> many;
+    Database                    database(file);
+    std::vector<study::Outcome> many;
     for (int i = 0; i < 200; ++i)
       {
         study::Outcome outcome;

@@ -157,6 +157,32 @@ TEST(Loop, landsOnEventsOrIgnoresThem)
   EXPECT_EQ(ignore.recorder.times, (std::vector<double>{0.5, 1}));
 }
 
+// A time one rounding beside another is the same time: the event counts, and no step is taken between the two.
+TEST(Loop, timesThatAgreeAreOneTime)
+{
+  const double kink = 0.1 + 0.2; // another double than 0.3
+  for (const char *events : {"events=restart", "events=land"})
+    for (const double beside : {std::nextafter(kink, 0.), kink, std::nextafter(kink, 1.)})
+      for (const char *step : {"0.25", "0.1", "0.02"})
+        {
+          std::ostringstream land;
+          land.precision(17);
+          land << "land on=" << beside;
+          Trial run, plain;
+          run.go({"end=0.5", std::string("step=") + step, events, land.str()}, {kink});
+          plain.go({"end=0.5", std::string("step=") + step, events}, {kink});
+          EXPECT_EQ(run.recorder.times, plain.recorder.times) << beside - kink << " " << step;
+          EXPECT_EQ(run.fake.starts, plain.fake.starts) << beside - kink << " " << step;
+        }
+  Trial two; // of two events the later one, so that both are behind
+  two.go({"end=0.5", "step=0.25"}, {0.3, kink});
+  EXPECT_EQ(two.recorder.times, (std::vector<double>{0.25, kink, 0.5}));
+  EXPECT_EQ(two.fake.starts, (std::vector<double>{0, kink}));
+  Trial late; // roundings grow with the times
+  late.go({"start=1e10", "end=10000000001", "step=0.5", "land on=10000000000.500002"}, {1e10 + 0.5});
+  EXPECT_EQ(late.recorder.times, (std::vector<double>{1e10 + 0.5, 1e10 + 1}));
+}
+
 // After 3e8 steps round-off of the time is more than a billionth of a step: no step is cut, none is added.
 TEST(Loop, veryManyStepsGoOnAsPlanned)
 {
