@@ -29,8 +29,8 @@ namespace myolines
   /// or, where the problem tells the importance of Newton steps, what remains does not matter (NewtonSteps).
   /// Line search: accept |F| <= (1 - 1e-4 alpha) |F_0|, else quadratic interpolation clamped to [0.1, 0.5] of the last
   /// alpha; halve at inadmissible points; at most `line search cuts` cuts. Full steps may raise |F| `patience` times in a row
-  /// (watchdog technique, Chamberlain et al., doi:10.1007/BFb0120945), by at most `patience growth`: along a Newton step of a nearly incompressible body
-  /// the volume changes to second order, which the next step mends at once and a decreasing |F| forbids.
+  /// (watchdog technique, Chamberlain et al., doi:10.1007/BFb0120945), by at most `patience growth`: along a Newton step of a nearly
+  /// incompressible body the volume changes to second order, which the next step mends at once and a decreasing |F| forbids.
   ///
   /// Ledger: "nonlinear solves", "nonlinear solves begun anew", "newton iterations", "line search cuts". Prints nothing.
   class NonlinearSolver
