@@ -89,7 +89,7 @@ namespace myolines
   {
     evaluations_  = 0;
     has_rate_gap_ = problem.open_rates(at.x);
-    at.z          = problem.start();
+    at.z          = problem.start_local();
     at.stamp      = new_stamp();
     at.remaining  = 0;
     set_gap(problem, at.x);
@@ -124,6 +124,9 @@ namespace myolines
       }
   }
 
+  /// Of the relative tolerances of linear solves; what is beyond is rounding.
+  constexpr double tightest = 1e-10;
+
   /// Part of |G| that a Newton direction may leave where the linear solver stalls.
   constexpr double enough = 0.1;
 
@@ -156,7 +159,7 @@ namespace myolines
       right_ = at.g;
     right_ *= -1;
     const double goal   = std::max(tolerance, at.norm > 0 ? std::min(0.5, absolute / at.norm) : 0.);
-    LinearReport report = solver.solve(problem, right_, dx, goal * share, enough * share);
+    LinearReport report = solver.solve(problem, right_, dx, std::max(goal * share, tightest), enough * share);
     free_.distribute(dx);
     if (open)
       dx += gap_;

@@ -71,26 +71,26 @@ namespace myolines
       Newton                     &newton_;
       NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
     };
-
-    class KrylovDirections : public DirectionSolver
-    {
-    public:
-      explicit KrylovDirections(LinearSolver &linear)
-        : linear_(linear)
-      {}
-
-      bool exact() const override { return false; }
-
-      LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, const double tolerance, const double enough) override
-      {
-        return linear_.solve(problem.linearisation(), problem.weights(), problem.constraints(), problem.symmetric(), b, dx, tolerance,
-                             enough);
-      }
-
-    private:
-      LinearSolver &linear_;
-    };
   } // namespace
+
+  class KrylovDirections : public DirectionSolver
+  {
+  public:
+    explicit KrylovDirections(LinearSolver &linear)
+      : linear_(linear)
+    {}
+
+    bool exact() const override { return false; }
+
+    LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, const double tolerance, const double enough) override
+    {
+      return linear_.solve(problem.linearisation(), problem.weights(), problem.constraints(), problem.symmetric(), b, dx, tolerance,
+                           enough);
+    }
+
+  private:
+    LinearSolver &linear_;
+  };
 
   scene::Schema NonlinearSolver::schema()
   {

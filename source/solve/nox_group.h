@@ -18,6 +18,7 @@ namespace myolines
       : at(std::move(at))
       , newton_(newton)
       , direction_(this->at.x)
+      , x_(this->at.x)
     {}
 
     NOX::Abstract::Group &operator=(const NOX::Abstract::Group &other) override
@@ -47,11 +48,16 @@ namespace myolines
     void setX(const NOX::Abstract::Vector &) override { unused(); }
     void computeX(const NOX::Abstract::Group &, const NOX::Abstract::Vector &, double) override { unused(); }
 
-    const NOX::Abstract::Vector &getX() const override { return unused(); }
+    /// NOX makes its vectors of this one.
+    const NOX::Abstract::Vector &getX() const override
+    {
+      x_.values = at.x;
+      return x_;
+    }
     const NOX::Abstract::Vector &getF() const override { return unused(); }
     const NOX::Abstract::Vector &getGradient() const override { return unused(); }
 
-    Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(unused()); }
+    Teuchos::RCP<const NOX::Abstract::Vector> getXPtr() const override { return Teuchos::rcpFromRef(getX()); }
     Teuchos::RCP<const NOX::Abstract::Vector> getFPtr() const override { return Teuchos::rcpFromRef(unused()); }
     Teuchos::RCP<const NOX::Abstract::Vector> getNewtonPtr() const override { return Teuchos::rcpFromRef(direction_); }
     Teuchos::RCP<const NOX::Abstract::Vector> getGradientPtr() const override { return Teuchos::rcpFromRef(unused()); }
@@ -69,8 +75,9 @@ namespace myolines
       throw std::logic_error("a Newton group gives norms and directions; points move with their local unknowns");
     }
 
-    Newton   &newton_;
-    NoxVector direction_;
-    bool      has_direction_ = false;
+    Newton           &newton_;
+    NoxVector         direction_;
+    mutable NoxVector x_;
+    bool              has_direction_ = false;
   };
 } // namespace myolines

@@ -87,7 +87,7 @@ namespace myolines
     void               impose(Vector &d) const override;
 
     Evaluation    residual(const Vector &d, Vector &f) override { return residual(point(d), f); }
-    LocalUnknowns start() const override { return start_; }
+    LocalUnknowns start_local() const override { return start_; }
     Evaluation    residual_at(const Vector &d, const LocalUnknowns &z, bool solved, Vector &f) override;
     void          advance(const Vector &d, const LocalUnknowns &z, const Vector &trial, double alpha, LocalUnknowns &trial_z) override;
 

@@ -31,7 +31,7 @@ namespace myolines
 
     /// Local unknowns z that are iterates beside x, at the start of a solve, whatever its first guess; empty: F has none. residual() is
     /// F(x, z(x)), the function whose root is sought.
-    virtual LocalUnknowns start() const { return {}; }
+    virtual LocalUnknowns start_local() const { return {}; }
 
     /// F(x, z), which Newton's method makes small on its way; @p solved: at what the linearised equation of z gives at x instead of
     /// @p z, the right-hand side of a Newton step.
