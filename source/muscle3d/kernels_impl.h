@@ -31,6 +31,7 @@ namespace myolines
     using Base::m;
     using Base::material;
     using Base::max_modes;
+    using Base::missing;
     using Base::mode;
     using Base::n_nodes;
     using Base::n_points;
@@ -115,7 +116,7 @@ namespace myolines
     {
       if (!evaluate_state(u, v))
         return false;
-      T stress(0.), bulk(0.), volume(0.);
+      T stress(0.), gap(0.), bulk(0.), volume(0.);
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
@@ -125,11 +126,13 @@ namespace myolines
           const T weight = JxW(q);
           for (int i = 0; i < 9; ++i)
             work[9 * q + i] = P[i] * weight;
+          const T wrong = T(2.) * law.base.first * expand(missing, q);
           stress += dot(P, P) * weight;
+          gap += wrong * wrong * weight;
           bulk += material(q)[material_bulk] * material(q)[material_bulk] * weight;
           volume += weight;
         }
-      add_forces(u, stress, bulk, cbrt(volume), forces);
+      add_forces(u, stress, gap, bulk, cbrt(volume), forces);
       if (m.inertia)
         {
           evaluate_values(a);
@@ -139,8 +142,8 @@ namespace myolines
       return true;
     }
 
-    /// @p stress and @p bulk: integrals of the squares; @p h: the size of the cells.
-    void add_forces(const double *u, const T &stress, const T &bulk, const T &h, KernelForces &forces) const
+    /// @p stress, @p gap and @p bulk: integrals of the squares; @p h: the size of the cells.
+    void add_forces(const double *u, const T &stress, const T &gap, const T &bulk, const T &h, KernelForces &forces) const
     {
       constexpr double eps = std::numeric_limits<double>::epsilon();
       for (int lane = 0; lane < cells.n_filled; ++lane)
@@ -148,6 +151,7 @@ namespace myolines
           const double *at     = u + 3 * std::size_t(cells.nodes[lane]);
           const double  change = eps * (1 + __builtin_sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) / h[lane]);
           forces.internal += stress[lane] * h[lane];
+          forces.volume += gap[lane] * h[lane];
           forces.rounding += bulk[lane] * h[lane] * change * change;
         }
     }

@@ -159,7 +159,10 @@ namespace myolines
       project(moments, projected);
       const T *z = cells.local != nullptr ? reinterpret_cast<const T *>(cells.local) : projected;
       for (int i = 0; i < t.n_modes; ++i)
-        dilatation[i] = z[i];
+        {
+          dilatation[i] = z[i];
+          missing[i]    = projected[i] - z[i];
+        }
       clear(moments, t.n_modes);
       for (int q = 0; q < n_points; ++q)
         {
@@ -254,5 +257,6 @@ namespace myolines
     T                  *columns;      ///< [2][n_modes][3][n_nodes]
     T                   dilatation[max_modes];
     T                   pressure[max_modes];
+    T                   missing[max_modes]; ///< Pi(J) - D
   };
 } // namespace myolines

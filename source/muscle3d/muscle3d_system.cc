@@ -114,7 +114,7 @@ namespace myolines
                                  v.begin(), a.begin(), r.begin(), forces, d.scratch());
     count_terms(model, "residual", ledger_);
 
-    std::vector<double> sums{valid ? 0. : 1., forces.internal, forces.rounding};
+    std::vector<double> sums{valid ? 0. : 1., forces.internal, forces.volume, forces.rounding};
     dealii::Utilities::MPI::sum(sums, d.communicator, sums);
     if (sums[0] > 0)
       {
@@ -126,7 +126,7 @@ namespace myolines
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
       loads += loads_->subtract_external(point.t, point.side, r);
-    return {true, "", std::sqrt(sums[1]) + loads, std::sqrt(sums[2])};
+    return {true, "", std::sqrt(sums[1]) + loads, std::sqrt(sums[2]), std::sqrt(sums[3])};
   }
 
   std::size_t Muscle3dSystem::size_of_local() const { return std::size_t(2) * discretisation_->element.n_modes * n_lanes; }

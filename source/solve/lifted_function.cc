@@ -31,6 +31,8 @@ namespace myolines
     return std::sqrt(dealii::Utilities::MPI::sum(sum, x.get_mpi_communicator()));
   }
 
+  void LiftedFunction::set_norm(Iterate &at) const { at.norm = std::hypot(norm(at.g), at.evaluation.local); }
+
   void LiftedFunction::set_gap(const NonlinearProblem &problem, const Vector &x)
   {
     gap_.zero_out_ghost_values();
@@ -68,8 +70,8 @@ namespace myolines
     free_.condense(lift_);
     at.g += lift_;
     at.remaining = 1;
-    at.norm      = norm(at.g);
-    lifted_at_   = at.stamp;
+    set_norm(at);
+    lifted_at_ = at.stamp;
   }
 
   void LiftedFunction::evaluate(NonlinearProblem &problem, Iterate &at)
@@ -80,7 +82,7 @@ namespace myolines
     if (!at.evaluation.admissible)
       return;
     free_.condense(at.g);
-    at.norm = norm(at.g);
+    set_norm(at);
     if (!std::isfinite(at.norm))
       at.evaluation = {false, "the residual is not a finite number: a load or motion by a formula, perhaps, that is not defined there"};
   }
@@ -120,7 +122,7 @@ namespace myolines
     if (to.remaining != 0 && to.evaluation.admissible)
       {
         to.g.add(to.remaining, lift_);
-        to.norm = norm(to.g);
+        set_norm(to);
       }
   }
 

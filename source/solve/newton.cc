@@ -52,26 +52,23 @@ namespace myolines
   Newton::Verdict Newton::judge(const Iterate &at)
   {
     report_.final_residual = at.norm;
-    if (at.remaining == 0)
+    const bool last        = report_.iterations >= options_.maximum_iterations;
+    Evaluation evaluation  = at.evaluation;
+    // F(x, z(x)) is worth a look once F(x, z) is nearly small enough
+    constexpr double nearly = 1e3;
+    if (at.remaining == 0 && (last || at.norm <= nearly * tolerance(evaluation)))
       {
-        // F(x, z(x)) is worth a look once F(x, z) is nearly small enough
-        constexpr double nearly     = 1e3;
-        Evaluation       evaluation = at.evaluation;
-        if (at.norm <= nearly * tolerance(evaluation))
-          report_.final_residual = function_.true_norm(problem_, at, evaluation);
-        else if (at.z.any())
-          report_.final_residual = std::numeric_limits<double>::infinity();
-        const bool solved = report_.iterations > 0 && (below_resolution_ || (problem_.affine() && solver_.exact()));
-        if (report_.final_residual <= tolerance(evaluation) || solved || steps_.enough())
-          {
-            report_.converged = true;
-            return Verdict::converged;
-          }
+        report_.final_residual = function_.true_norm(problem_, at, evaluation);
+        report_.converged      = report_.final_residual <= tolerance(evaluation);
       }
-    if (report_.iterations < options_.maximum_iterations)
+    if (at.remaining == 0 && report_.iterations > 0)
+      report_.converged = report_.converged || below_resolution_ || (problem_.affine() && solver_.exact()) || steps_.enough();
+    if (report_.converged)
+      return Verdict::converged;
+    if (!last)
       return Verdict::go_on;
     std::ostringstream text;
-    text << "residual " << at.norm << " above the tolerance " << tolerance(at.evaluation) << " after " << report_.iterations
+    text << "residual " << report_.final_residual << " above the tolerance " << tolerance(evaluation) << " after " << report_.iterations
          << " Newton iterations";
     report_.reason = text.str();
     return Verdict::failed;
@@ -137,6 +134,12 @@ namespace myolines
       text << "the state is inadmissible (" << trial.evaluation.reason << ")";
     report_.reason       = text.str();
     report_.inadmissible = !trial.evaluation.admissible;
+  }
+
+  void Newton::fail(const std::string &reason)
+  {
+    report_.converged = false;
+    report_.reason    = reason;
   }
 
   const NonlinearReport &Newton::report()

@@ -45,6 +45,9 @@ namespace myolines
     /// @p to = @p from + alpha @p dx, with the alpha that is taken; none: the line search failed.
     std::optional<double> search(const Iterate &from, const Vector &dx, Iterate &to);
 
+    /// Ends the solve for a reason from elsewhere.
+    void fail(const std::string &reason);
+
     /// The solve so far.
     const NonlinearReport &report();
 

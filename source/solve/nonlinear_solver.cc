@@ -202,8 +202,15 @@ namespace myolines
     at_.x = x;
     linear_.new_step();
     Newton newton(options_, problem, *function_, solver, ledger_);
-    if (newton.begin(at_))
-      direct ? iterate_directly(newton) : iterate_with_nox(newton);
+    try
+      {
+        if (newton.begin(at_))
+          direct ? iterate_directly(newton) : iterate_with_nox(newton);
+      }
+    catch (const std::exception &error)
+      {
+        newton.fail(error.what());
+      }
     x = at_.x;
     x.update_ghost_values();
     return newton.report();

@@ -59,6 +59,7 @@ namespace myolines
       {
         f *= stage_.scale;
         evaluation.forces *= stage_.scale;
+        evaluation.local *= stage_.scale;
         evaluation.rounding *= stage_.scale;
       }
     if (stage_.history != nullptr)

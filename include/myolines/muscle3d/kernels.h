@@ -54,6 +54,7 @@ namespace myolines
   struct KernelForces
   {
     double internal = 0;
+    double volume   = 0; ///< of a stress mu (Pi(J) - D), mu = 2 dPsi/dI1: what the D that is given misses
     double rounding = 0;
   };
 

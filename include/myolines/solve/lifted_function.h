@@ -19,7 +19,7 @@ namespace myolines
     std::uint64_t stamp     = 0; ///< names x and z: equal stamps, equal values
     double        remaining = 0; ///< 1 - alpha, the part of the gap still open; 0: x_c = target
     Evaluation    evaluation;
-    double        norm = 0; ///< |G| over all ranks; NaN where inadmissible
+    double        norm = 0; ///< of G and of the residual of z (Evaluation::local), over all ranks; NaN where inadmissible
   };
 
   /// Without copies; std::swap would make three, as vectors have no move assignment.
@@ -82,6 +82,7 @@ namespace myolines
     void   linearise(NonlinearProblem &problem, const Iterate &at);
     void   add_lift(NonlinearProblem &problem, Iterate &at);
     double norm(const Vector &x) const;
+    void   set_norm(Iterate &at) const;
 
     const Constraints *constraints_;
     WorkLedger        &ledger_;

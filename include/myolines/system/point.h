@@ -71,6 +71,8 @@ namespace myolines
 
     /// l2 norm of the forces that R balances, inertia left out, before they cancel [unit of R]; 0: the system does not tell.
     double forces = 0;
+    /// Size of the residual of the equation of local unknowns that are given, brought to the unit of R; 0: there are none, or it holds.
+    double local = 0;
     /// l2 norm of what the rounding of u leaves of R at best [unit of R].
     double rounding = 0;
   };
