@@ -52,7 +52,12 @@ namespace myolines
         if (report.accepted())
           swap(state, rest);
         else
-          report.reason = reason + "; raised in parts, " + report.reason;
+          {
+            report.reason = reason + "; raised in parts, " + report.reason;
+            report.advice =
+                "smaller loads; equilibria may end there (a limit point), beyond which only a dynamic system goes on; shorter steps "
+                "only help where the loads depend on time";
+          }
         return report;
       }
 

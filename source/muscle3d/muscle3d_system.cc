@@ -109,7 +109,8 @@ namespace myolines
     r = 0;
     KernelForces forces;
     bool         valid = true;
-    for (unsigned int b = 0; b < d.batches->n_owned_batches() && valid; ++b)
+    unsigned int b     = 0;
+    for (; b < d.batches->n_owned_batches() && valid; ++b)
       valid = d.kernels.residual(d.tables, model, with_local(cells.cells(b), point.local, b * size_of_local(), point.solved), u.begin(),
                                  v.begin(), a.begin(), r.begin(), forces, d.scratch());
     count_terms(model, "residual", ledger_);
@@ -120,13 +121,24 @@ namespace myolines
       {
         r.zero_out_ghost_values();
         r = std::numeric_limits<double>::quiet_NaN();
-        return {false, "det F or the dilatation is not positive somewhere in the body"};
+        return {false, "det F or the dilatation is not positive near " + where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
       }
     double loads = surface_forces_->any() ? surface_forces_->subtract(point.t, point.side, u.vector(), r) : 0;
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
       loads += loads_->subtract_external(point.t, point.side, r);
     return {true, "", std::sqrt(sums[1]) + loads, std::sqrt(sums[2]), std::sqrt(sums[3])};
+  }
+
+  std::string Muscle3dSystem::where(const std::optional<unsigned int> batch) const
+  {
+    std::ostringstream text;
+    if (batch)
+      text << discretisation_->batches->cell(*batch, 0)->center();
+    for (const std::string &place : dealii::Utilities::MPI::all_gather(discretisation_->communicator, text.str()))
+      if (!place.empty())
+        return "(" + place + ") m of the undeformed body";
+    return "";
   }
 
   std::size_t Muscle3dSystem::size_of_local() const { return std::size_t(2) * discretisation_->element.n_modes * n_lanes; }

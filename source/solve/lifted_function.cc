@@ -97,7 +97,10 @@ namespace myolines
     set_gap(problem, at.x);
     const bool finite = std::isfinite(norm(gap_)), rounding = finite && gap_.linfty_norm() <= problem.resolution();
     if (rounding)
-      problem.impose(at.x);
+      {
+        problem.impose(at.x);
+        gap_ = 0;
+      }
     evaluate(problem, at);
     if (!finite)
       at.evaluation = {false, "a prescribed value is not a finite number: a formula or drive is not defined at this time"};

@@ -32,10 +32,8 @@ namespace myolines
   {
     const bool   sized    = evaluation.forces > 0 || evaluation.rounding > 0;
     const double absolute = problem_.has_unit_of_residual() ? options_.absolute_tolerance.value_or(sized ? 0 : 1e-10) : 0;
-    return std::max({options_.relative_tolerance * (sized ? evaluation.forces : report_.initial_residual), absolute, rounding(evaluation)});
+    return std::max({options_.relative_tolerance * (sized ? evaluation.forces : report_.initial_residual), absolute, evaluation.rounding});
   }
-
-  double Newton::rounding(const Evaluation &evaluation) const { return evaluation.rounding; }
 
   bool Newton::begin(Iterate &at)
   {
@@ -71,6 +69,8 @@ namespace myolines
     text << "residual " << report_.final_residual << " above the tolerance " << tolerance(evaluation) << " after " << report_.iterations
          << " Newton iterations";
     report_.reason = text.str();
+    report_.advice =
+        at_rounding(evaluation) ? looser_tolerance(evaluation) : "shorter steps, or more \"solver/nonlinear/maximum iterations\"";
     return Verdict::failed;
   }
 
@@ -86,6 +86,9 @@ namespace myolines
     if (linear.converged || linear.relative_residual < 0.5)
       return true;
     report_.reason = "linear solver: " + linear.reason;
+    report_.advice =
+        "more \"solver/linear/maximum iterations\", another \"solver/preconditioner/type\", or shorter steps: where equilibria lose their "
+        "stability the tangent is indefinite, and stops the solver too";
     return false;
   }
 
@@ -134,6 +137,19 @@ namespace myolines
       text << "the state is inadmissible (" << trial.evaluation.reason << ")";
     report_.reason       = text.str();
     report_.inadmissible = !trial.evaluation.admissible;
+    if (trial.evaluation.admissible && at_rounding(from.evaluation))
+      report_.advice = looser_tolerance(from.evaluation);
+  }
+
+  /// Whether the last residual is near what rounding leaves.
+  bool Newton::at_rounding(const Evaluation &evaluation) const { return report_.final_residual <= 1e3 * evaluation.rounding; }
+
+  std::string Newton::looser_tolerance(const Evaluation &evaluation) const
+  {
+    std::ostringstream text;
+    text << "a larger \"solver/nonlinear/relative tolerance\" (the rounding of displacements leaves a residual of about "
+         << evaluation.rounding << ", the forces are " << evaluation.forces << ") or a smaller bulk modulus";
+    return text.str();
   }
 
   void Newton::fail(const std::string &reason)

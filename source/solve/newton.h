@@ -52,9 +52,10 @@ namespace myolines
     const NonlinearReport &report();
 
   private:
-    double tolerance(const Evaluation &evaluation) const;
-    double rounding(const Evaluation &evaluation) const;
-    void   fail_search(const Iterate &from, const Iterate &trial, unsigned int cuts, double alpha);
+    double      tolerance(const Evaluation &evaluation) const;
+    bool        at_rounding(const Evaluation &evaluation) const;
+    std::string looser_tolerance(const Evaluation &evaluation) const;
+    void        fail_search(const Iterate &from, const Iterate &trial, unsigned int cuts, double alpha);
 
     const Options    &options_;
     NonlinearProblem &problem_;

@@ -142,6 +142,7 @@ namespace myolines
     step.initial_residual = solve.initial_residual;
     step.final_residual   = solve.final_residual;
     step.reason           = solve.reason;
+    step.advice           = solve.advice;
     step.outcome          = solve.converged      ? StepReport::Outcome::accepted
                             : solve.inadmissible ? StepReport::Outcome::inadmissible
                                                  : StepReport::Outcome::not_converged;

@@ -32,7 +32,10 @@ namespace myolines
     if (stage.prescribed)
       shift_predictors(d);
     if (stage.c.u != 0 && !work_.capabilities.linear)
-      start_ = work_.system.local(point(d).u);
+      {
+        set_end(d); // averages may lie beyond what the body has seen
+        start_ = work_.system.local(work_.end.u);
+      }
     if (stage.c.u != 0)
       resolution_ = 16 * std::numeric_limits<double>::epsilon() * predictor.u.linfty_norm() / std::abs(stage.c.u);
   }
@@ -64,6 +67,8 @@ namespace myolines
       }
     if (stage_.history != nullptr)
       f += *stage_.history;
+    if (stage_.c.u == 0) // accelerations follow from what the forces leave, however little
+      evaluation.forces = evaluation.rounding = 0;
     return evaluation;
   }
 

@@ -102,7 +102,7 @@ def cook_mesh(path, n):
         for tag, i in ((1, 0), (2, n)):
             quadrilaterals.append((tag, [node(i, j, 0), node(i, j + 1, 0), node(i, j + 1, 1), node(i, j, 1)]))
     with open(path, "w") as file:
-        file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n2 1 \"left\"\n2 2 \"right\"\n2 4 \"sides\"\n3 3 \"body\"\n"
+        file.write("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n2 1 \"left\"\n2 2 \"right\"\n2 4 \"sides\"\n3 3 \"muscle\"\n"
                    f"$EndPhysicalNames\n$Nodes\n{len(nodes)}\n")
         for number, at in sorted(nodes.values()):
             file.write(f"{number} {at[0]!r} {at[1]!r} {at[2]!r}\n")

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,8 @@ namespace myolines
     class Part;
 
     std::size_t size_of_local() const; ///< doubles of one batch
+    /// Position of @p batch of the first rank that has one, for messages.
+    std::string where(std::optional<unsigned int> batch) const;
 
     Muscle3dSystem(Muscle3dParameters parameters, std::shared_ptr<Muscle3dDiscretisation> discretisation, WorkLedger &ledger);
 
