@@ -1,4 +1,4 @@
-#include <myolines/time/stage.h>
+#include <myolines/time/start.h>
 
 namespace myolines
 {
@@ -17,12 +17,14 @@ namespace myolines
       return facts;
     }
 
-    /// R(t_1, u_1, 0, 0) = 0; v and a stay zero, also on moving boundaries, so that no rate term is met.
+    /// R(t_1, u_1, 0, 0) = 0; v and a stay zero, also on moving boundaries, so that no rate term is met. Where no boundary moves and one
+    /// solve is too much, the loads are raised in parts: shorter steps would not help where they do not depend on time.
     class Static : public Integrator
     {
     public:
-      explicit Static(IntegratorContext context)
-        : stage_(at_rest(context))
+      explicit Static(const IntegratorContext &context)
+        : context_(at_rest(context))
+        , solver_(context_)
       {}
 
       void start(State &state) override
@@ -37,12 +39,26 @@ namespace myolines
         stage.t = state.t + dt;
         stage.c = {1, 0, 0};
 
-        State predictors = state;
-        predictors.v     = 0;
-        predictors.a     = 0;
-        Vector increment = state.u;
-        increment        = 0;
-        return stage_.step(stage, predictors, increment, state);
+        State  rest       = at_rest(state);
+        Vector increment  = state.u;
+        increment         = 0;
+        StepReport report = solver_.step(stage, rest, increment, state);
+        if (report.accepted() || moves(stage, state))
+          return report;
+
+        const std::string reason = report.reason;
+        rest                     = at_rest(state);
+        record(raise_loads(context_, solver_, stage, 0.5, rest), report);
+        if (report.accepted())
+          swap(state, rest);
+        else
+          {
+            report.reason = reason + "; raised in parts, " + report.reason;
+            report.advice =
+                "smaller loads; equilibria may end there (a limit point), beyond which only a dynamic system goes on; shorter steps "
+                "only help where the loads depend on time";
+          }
+        return report;
       }
 
       void save(Archive &) const override {}
@@ -55,7 +71,23 @@ namespace myolines
         return context;
       }
 
-      StageSolver stage_;
+      static State at_rest(State state)
+      {
+        state.v = 0;
+        state.a = 0;
+        return state;
+      }
+
+      bool moves(const Stage &stage, const State &state) const
+      {
+        State there = state;
+        context_.system.prescribed(stage.t, stage.side, there);
+        there.u -= state.u;
+        return there.u.linfty_norm() > 0;
+      }
+
+      const IntegratorContext context_;
+      StageSolver             solver_;
     };
   } // namespace
 

@@ -77,6 +77,7 @@ namespace myolines
     model.rate          = model.active && parameters.dynamic && parameters.muscle().fibre.force_velocity;
     model.inertia       = parameters.dynamic;
     model.exact_tangent = parameters.exact_tangent;
+    model.fixed_pressure = false;
     model.curves        = parameters.fibre_curves();
     return model;
   }

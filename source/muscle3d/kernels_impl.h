@@ -4,7 +4,7 @@
 
 namespace myolines
 {
-  /// The four kernels on one batch.
+  /// The kernels on one batch.
   template <InstructionSet isa, int n1>
   class BatchWork : private BatchState<isa, n1>
   {
@@ -12,6 +12,7 @@ namespace myolines
     using T    = Lanes<isa>;
     using Base::add_integral;
     using Base::add_moments;
+    using Base::advance;
     using Base::Base;
     using Base::cells;
     using Base::clear;
@@ -30,6 +31,7 @@ namespace myolines
     using Base::m;
     using Base::material;
     using Base::max_modes;
+    using Base::missing;
     using Base::mode;
     using Base::n_nodes;
     using Base::n_points;
@@ -38,16 +40,36 @@ namespace myolines
     using Base::t;
     using Base::values;
     using Base::volumetric_state;
+    using Base::volumetric_stiffness;
     using Base::work;
 
   public:
     using Base::scratch_size;
 
     static bool residual(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v,
-                         const double *a, double *r, double *scratch)
+                         const double *a, double *r, KernelForces &forces, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      return work.add_residual(u, v, a, r);
+      return work.add_residual(u, v, a, r, forces);
+    }
+
+    static void local(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, double *z, double *scratch)
+    {
+      BatchWork work(t, m, c, scratch);
+      work.evaluate_F(u);
+      work.volumetric_state();
+      for (int i = 0; i < t.n_modes; ++i)
+        {
+          reinterpret_cast<T *>(z)[i]             = work.dilatation[i];
+          reinterpret_cast<T *>(z)[t.n_modes + i] = work.pressure[i];
+        }
+    }
+
+    static void advance(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *trial_u,
+                        const double alpha, double *trial_z, double *scratch)
+    {
+      BatchWork work(t, m, c, scratch);
+      work.advance(u, trial_u, alpha, reinterpret_cast<T *>(trial_z));
     }
 
     static void linearise(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v,
@@ -90,10 +112,11 @@ namespace myolines
       return true;
     }
 
-    bool add_residual(const double *u, const double *v, const double *a, double *r)
+    bool add_residual(const double *u, const double *v, const double *a, double *r, KernelForces &forces)
     {
       if (!evaluate_state(u, v))
         return false;
+      T stress(0.), gap(0.), bulk(0.), volume(0.);
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
@@ -103,7 +126,13 @@ namespace myolines
           const T weight = JxW(q);
           for (int i = 0; i < 9; ++i)
             work[9 * q + i] = P[i] * weight;
+          const T wrong = T(2.) * law.base.first * expand(missing, q);
+          stress += dot(P, P) * weight;
+          gap += wrong * wrong * weight;
+          bulk += material(q)[material_bulk] * material(q)[material_bulk] * weight;
+          volume += weight;
         }
+      add_forces(u, stress, gap, bulk, cbrt(volume), forces);
       if (m.inertia)
         {
           evaluate_values(a);
@@ -111,6 +140,20 @@ namespace myolines
         }
       add_integral(work, m.inertia ? values : nullptr, r);
       return true;
+    }
+
+    /// @p stress, @p gap and @p bulk: integrals of the squares; @p h: the size of the cells.
+    void add_forces(const double *u, const T &stress, const T &gap, const T &bulk, const T &h, KernelForces &forces) const
+    {
+      constexpr double eps = std::numeric_limits<double>::epsilon();
+      for (int lane = 0; lane < cells.n_filled; ++lane)
+        {
+          const double *at     = u + 3 * std::size_t(cells.nodes[lane]);
+          const double  change = eps * (1 + __builtin_sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) / h[lane]);
+          forces.internal += stress[lane] * h[lane];
+          forces.volume += gap[lane] * h[lane];
+          forces.rounding += bulk[lane] * h[lane] * change * change;
+        }
     }
 
     /// values *= factor rho0 JxW
@@ -162,12 +205,13 @@ namespace myolines
               for (int i = 0; i < 9; ++i)
                 flux[9 * q + i] = dP[i];
             }
-          const T *S = tangent + n_points * size;
+          const T *S      = tangent + n_points * size;
+          const T  weight = T(m.fixed_pressure ? 0. : w[0]);
           for (int i = 0; i < t.n_modes; ++i)
             {
               dp[i] = T(0.);
               for (int j = 0; j < t.n_modes; ++j)
-                dp[i] += T(w[0]) * S[i * t.n_modes + j] * moments[j];
+                dp[i] += weight * S[i * t.n_modes + j] * moments[j];
             }
           for (int q = 0; q < n_points; ++q)
             {
@@ -179,13 +223,6 @@ namespace myolines
       if (inertia)
         weigh_values(w[2]);
       add_integral(stiffness ? flux : nullptr, inertia ? values : nullptr, y);
-    }
-
-    /// Psi_vol'' at a point
-    T volumetric_stiffness(const int q) const
-    {
-      const T D = expand(dilatation, q);
-      return T(0.5) * material(q)[material_bulk] * (T(1.) + T(1.) / (D * D));
     }
 
     void fill_matrices(const double w[3], const double *u, const double *v, T *matrices)
@@ -269,7 +306,7 @@ namespace myolines
       clear(moments, n_modes * n_modes);
       for (int q = 0; q < n_points; ++q)
         {
-          const T weight = T(w) * volumetric_stiffness(q) * JxW(q);
+          const T weight = T(w) * volumetric_stiffness(q, expand(dilatation, q)) * JxW(q);
           for (int i = 0; i < n_modes; ++i)
             for (int j = 0; j < n_modes; ++j)
               moments[i * n_modes + j] += weight * mode(q, i) * mode(q, j);
@@ -328,6 +365,7 @@ namespace myolines
   constexpr Kernels make_kernels()
   {
     using Work = BatchWork<isa, n1>;
-    return {&Work::residual, &Work::linearise, &Work::apply, &Work::element_matrices, &Work::points, &Work::scratch_size};
+    return {&Work::residual,         &Work::local,  &Work::advance,     &Work::linearise, &Work::apply,
+            &Work::element_matrices, &Work::points, &Work::scratch_size};
   }
 } // namespace myolines

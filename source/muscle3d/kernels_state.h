@@ -3,6 +3,8 @@
 #include "kernels_point.h"
 #include "kernels_sum_factorisation.h"
 
+#include <limits>
+
 namespace myolines
 {
   /// One batch of cells: its nodal values, its state at the Gauss points, in scratch storage, and integrals over it.
@@ -123,38 +125,105 @@ namespace myolines
         moments[i] += mode(q, i) * weighted;
     }
 
+    static void require_positive(const T &x, T &admissible) { admissible = select(x > T(0.), admissible, T(-1.)); }
+
+    bool filled_lanes_are(const T &admissible) const
+    {
+      for (int lane = 0; lane < cells.n_filled; ++lane)
+        if (admissible[lane] < 0)
+          return false;
+      return true;
+    }
+
     static void clear(T *x, const int n)
     {
       for (int i = 0; i < n; ++i)
         x[i] = T(0.);
     }
 
-    /// Dilatation D_h = Pi(J) and pressure p_h = Pi(Psi_vol'(D_h)). False if J <= 0, D_h <= 0 or NaN in a filled lane.
+    /// Psi_vol' and Psi_vol'' at a point of dilatation D
+    T volumetric_stress(const int q, const T &D) const { return T(0.5) * material(q)[material_bulk] * (D - T(1.) / D); }
+    T volumetric_stiffness(const int q, const T &D) const { return T(0.5) * material(q)[material_bulk] * (T(1.) + T(1.) / (D * D)); }
+
+    /// Dilatation and pressure of the state at F, see KernelCells::local. False if J <= 0, D <= 0 or NaN in a filled lane.
     bool volumetric_state()
     {
-      T          moments[max_modes];
-      T          admissible(1.);
-      const auto require_positive = [&](const T &x) { admissible = select(x > T(0.), admissible, T(-1.)); };
+      T moments[max_modes], projected[max_modes], admissible(1.);
       clear(moments, t.n_modes);
       for (int q = 0; q < n_points; ++q)
         {
-          const Kinematics<T> k(F + 9 * q);
-          require_positive(k.J);
-          add_moments(k.J, q, moments);
+          const T J = Kinematics<T>(F + 9 * q).J;
+          require_positive(J, admissible);
+          add_moments(J, q, moments);
         }
-      project(moments, dilatation);
+      project(moments, projected);
+      const T *z = cells.local != nullptr ? reinterpret_cast<const T *>(cells.local) : projected;
+      for (int i = 0; i < t.n_modes; ++i)
+        {
+          dilatation[i] = z[i];
+          missing[i]    = projected[i] - z[i];
+        }
       clear(moments, t.n_modes);
       for (int q = 0; q < n_points; ++q)
         {
           const T D = expand(dilatation, q);
-          require_positive(D);
-          add_moments(T(0.5) * material(q)[material_bulk] * (D - T(1.) / D), q, moments);
+          require_positive(D, admissible);
+          add_moments(volumetric_stress(q, D) + volumetric_stiffness(q, D) * (expand(projected, q) - D), q, moments);
         }
-      project(moments, pressure);
-      for (int lane = 0; lane < cells.n_filled; ++lane)
-        if (admissible[lane] < 0)
-          return false;
-      return true;
+      if (cells.local == nullptr || cells.solved)
+        project(moments, pressure);
+      else
+        for (int i = 0; i < t.n_modes; ++i)
+          pressure[i] = z[t.n_modes + i];
+      return filled_lanes_are(admissible);
+    }
+
+    /// See Kernels::advance.
+    void advance(const double *u, const double *trial_u, const double alpha, T *trial_z)
+    {
+      const T *D = reinterpret_cast<const T *>(cells.local), *p = D + t.n_modes;
+      T       *D_t = trial_z, *p_t = D_t + t.n_modes;
+      T        J[max_modes], line[max_modes], J_t[max_modes], moments[max_modes], change[max_modes], admissible(1.);
+      T       *F_t = F_rate;
+      evaluate_F(u);
+      evaluate_gradient(trial_u, F_t);
+      clear(J, t.n_modes);
+      clear(line, t.n_modes);
+      clear(J_t, t.n_modes);
+      clear(moments, t.n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          for (int i = 0; i < 9; i += 4)
+            F_t[9 * q + i] += T(1.);
+          const Kinematics<T> k(F + 9 * q), k_t(F_t + 9 * q);
+          T                   dF[9];
+          for (int i = 0; i < 9; ++i)
+            dF[i] = k_t.F[i] - k.F[i];
+          require_positive(k_t.J, admissible);
+          add_moments(k.J, q, J);
+          add_moments(k.J * dot(k.H, dF), q, line);
+          add_moments(k_t.J, q, J_t);
+        }
+      T projected[max_modes], linear[max_modes], projected_t[max_modes];
+      project(J, projected);
+      project(line, linear);
+      project(J_t, projected_t);
+      for (int i = 0; i < t.n_modes; ++i)
+        {
+          change[i] = T(alpha) * (projected[i] - D[i]) + linear[i];
+          D_t[i]    = D[i] + change[i];
+        }
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T at = expand(D, q);
+          require_positive(expand(D_t, q), admissible);
+          require_positive(expand(projected_t, q), admissible);
+          add_moments(T(alpha) * volumetric_stress(q, at) + volumetric_stiffness(q, at) * expand(change, q), q, moments);
+        }
+      project(moments, p_t);
+      for (int i = 0; i < t.n_modes; ++i)
+        p_t[i] += T(1 - alpha) * p[i];
+      D_t[0] = select(admissible > T(0.), D_t[0], T(std::numeric_limits<double>::quiet_NaN()));
     }
 
     /// Adds sum_q P : Grad N_i (flux[9 q + 3 a + J] = P_aJ JxW) and sum_q N_i values (if given) to x.
@@ -188,5 +257,6 @@ namespace myolines
     T                  *columns;      ///< [2][n_modes][3][n_nodes]
     T                   dilatation[max_modes];
     T                   pressure[max_modes];
+    T                   missing[max_modes]; ///< Pi(J) - D
   };
 } // namespace myolines

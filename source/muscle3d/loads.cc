@@ -153,13 +153,14 @@ namespace myolines
         }
   }
 
-  void Loads::subtract_external(const double t, const Side side, Vector &r) const
+  double Loads::subtract_external(const double t, const Side side, Vector &r) const
   {
     Vector f = discretisation_.space->make_vector();
     add_tractions(t, side, f);
     add_body_force(t, f);
     f.compress(dealii::VectorOperation::add);
     r -= f;
+    return f.l2_norm();
   }
 
   double Loads::traction_power(const double t, const Vector &v) const

@@ -14,6 +14,14 @@ namespace myolines
       ledger.count(std::string("mass in ") + sweep);
   }
 
+  KernelCells with_local(KernelCells cells, const LocalUnknowns *local, const std::size_t at, const bool solved)
+  {
+    if (local != nullptr)
+      cells.local = &local->values[at];
+    cells.solved = solved;
+    return cells;
+  }
+
   Muscle3dLinearisation::Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
                                                const PointMaterials &materials, const SurfaceForces &surface, WorkLedger &ledger)
     : parameters_(parameters)
@@ -35,6 +43,7 @@ namespace myolines
         v_ = point.v;
         v_.update_ghost_values();
       }
+    local_ = point.local != nullptr ? *point.local : LocalUnknowns();
     if (surface_.any())
       find_faces(point);
     current_ = false;
@@ -87,12 +96,18 @@ namespace myolines
           }
   }
 
+  /// Other quadratures of the same cells share the modes, hence the local unknowns.
+  KernelCells Muscle3dLinearisation::cells(const CellSweep &sweep, const unsigned int b) const
+  {
+    return with_local(sweep.cells(b), local_.any() ? &local_ : nullptr, std::size_t(2) * b * sweep.element.n_modes * n_lanes, false);
+  }
+
   void Muscle3dLinearisation::store(const CellSweep &sweep, Tangents &tangents) const
   {
     const std::size_t size = tangent_size(sweep, model_);
     tangents.resize_fast(size * sweep.batches.n_owned_batches());
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
-      discretisation_.kernels.linearise(sweep.tables, model_, sweep.cells(b), u_.begin(), v_.begin(), &tangents[b * size],
+      discretisation_.kernels.linearise(sweep.tables, model_, cells(sweep, b), u_.begin(), v_.begin(), &tangents[b * size],
                                         discretisation_.scratch());
     ledger_.count("stored tangents");
     count_terms(model_, "stored tangent", ledger_);
@@ -118,13 +133,27 @@ namespace myolines
   {
     const CurrentGhosts current(x);
     const Weights      &w = weights[2];
-    if (!stored_ && (w.u != 0 || (w.v != 0 && model_.rate)))
-      {
-        store(discretisation_.sweep(materials_), tangents_);
-        stored_ = true;
-      }
+    if (w.u != 0 || (w.v != 0 && model_.rate))
+      store_tangents();
     apply(discretisation_.sweep(materials_), tangents_, model_, w, current.vector(), y);
     ledger_.count("tangent actions");
+  }
+
+  void Muscle3dLinearisation::apply_at_fixed_local(const WeightsByOrder &weights, const Vector &x, Vector &y) const
+  {
+    const CurrentGhosts current(x);
+    KernelModel         model = model_;
+    model.fixed_pressure      = true;
+    store_tangents();
+    apply(discretisation_.sweep(materials_), tangents_, model, weights[2], current.vector(), y);
+    ledger_.count("tangent actions");
+  }
+
+  void Muscle3dLinearisation::store_tangents() const
+  {
+    if (!stored_)
+      store(discretisation_.sweep(materials_), tangents_);
+    stored_ = true;
   }
 
   template <typename Consumer>
@@ -134,7 +163,7 @@ namespace myolines
     dealii::AlignedVector<double> element_matrices(std::size_t(9) * sweep.element.n_nodes * sweep.element.n_nodes * n_lanes);
     for (unsigned int b = 0; b < sweep.batches.n_batches(); ++b)
       {
-        discretisation_.kernels.element_matrices(sweep.tables, model_, sweep.cells(b), k, u_.begin(), v_.begin(), element_matrices.data(),
+        discretisation_.kernels.element_matrices(sweep.tables, model_, cells(sweep, b), k, u_.begin(), v_.begin(), element_matrices.data(),
                                                  discretisation_.scratch());
         if (!faces_.empty() && w.u != 0)
           add_faces(sweep.batches, b, w.u, element_matrices.data());

@@ -17,6 +17,9 @@ namespace myolines
   /// Ledger counts of the optional terms that a sweep over the body evaluates.
   void count_terms(const KernelModel &model, const char *sweep, WorkLedger &ledger);
 
+  /// @p cells with the local unknowns of their batch, which begin at @p at; null: none.
+  KernelCells with_local(KernelCells cells, const LocalUnknowns *local, std::size_t at, bool solved);
+
   /// K, C and M of the muscle at a state: keeps the state, forms actions and matrices on demand.
   class Muscle3dLinearisation : public Linearisation
   {
@@ -27,6 +30,7 @@ namespace myolines
     void refill(const Point &point, const Activation &activation);
 
     void                  apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
+    void                  apply_at_fixed_local(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
     bool                  action_is_cheap() const override { return true; }
     const SparseMatrix   &sparse(const WeightsByOrder &weights) override;
     const MultilevelData *multilevel() const override;
@@ -37,8 +41,11 @@ namespace myolines
     /// Tangents of the owned batches, for actions.
     using Tangents = dealii::AlignedVector<double>;
     void store(const CellSweep &sweep, Tangents &tangents) const;
+    void store_tangents() const; ///< unless they are
     void apply(const CellSweep &sweep, const Tangents &tangents, const KernelModel &model, const Weights &weights, const Vector &x,
                Vector &y) const;
+
+    KernelCells cells(const CellSweep &sweep, unsigned int batch) const; ///< with the local unknowns of this state
 
     /// consume(batch, element matrices) for owned and ghost batches.
     template <typename Consumer>
@@ -70,6 +77,7 @@ namespace myolines
     WorkLedger                                        &ledger_;
     KernelModel                                        model_{};
     Vector                                             u_, v_;
+    LocalUnknowns                                      local_; ///< none: those of u_
     std::unique_ptr<BlockMatrix>                       matrix_;
     Weights                                            assembled_; ///< weights of the matrix, if current_
     bool                                               current_ = false;

@@ -106,23 +106,67 @@ namespace myolines
     const CellSweep               cells = sweep();
 
     r.zero_out_ghost_values();
-    r          = 0;
-    bool valid = true;
-    for (unsigned int b = 0; b < d.batches->n_owned_batches() && valid; ++b)
-      valid = d.kernels.residual(d.tables, model, cells.cells(b), u.begin(), v.begin(), a.begin(), r.begin(), d.scratch());
+    r = 0;
+    KernelForces forces;
+    bool         valid = true;
+    unsigned int b     = 0;
+    for (; b < d.batches->n_owned_batches() && valid; ++b)
+      valid = d.kernels.residual(d.tables, model, with_local(cells.cells(b), point.local, b * size_of_local(), point.solved), u.begin(),
+                                 v.begin(), a.begin(), r.begin(), forces, d.scratch());
     count_terms(model, "residual", ledger_);
 
-    if (dealii::Utilities::MPI::min(valid ? 1 : 0, d.communicator) == 0)
+    std::vector<double> sums{valid ? 0. : 1., forces.internal, forces.volume, forces.rounding};
+    dealii::Utilities::MPI::sum(sums, d.communicator, sums);
+    if (sums[0] > 0)
       {
         r.zero_out_ghost_values();
         r = std::numeric_limits<double>::quiet_NaN();
-        return {false, "det F or the dilatation is not positive somewhere in the body"};
+        return {false, "det F or the dilatation is not positive near " + where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
       }
-    surface_forces_->subtract(point.t, point.side, u.vector(), r);
+    double loads = surface_forces_->any() ? surface_forces_->subtract(point.t, point.side, u.vector(), r) : 0;
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
-      loads_->subtract_external(point.t, point.side, r);
-    return {};
+      loads += loads_->subtract_external(point.t, point.side, r);
+    return {true, "", std::sqrt(sums[1]) + loads, std::sqrt(sums[2]), std::sqrt(sums[3])};
+  }
+
+  std::string Muscle3dSystem::where(const std::optional<unsigned int> batch) const
+  {
+    std::ostringstream text;
+    if (batch)
+      text << discretisation_->batches->cell(*batch, 0)->center();
+    for (const std::string &place : dealii::Utilities::MPI::all_gather(discretisation_->communicator, text.str()))
+      if (!place.empty())
+        return "(" + place + ") m of the undeformed body";
+    return "";
+  }
+
+  std::size_t Muscle3dSystem::size_of_local() const { return std::size_t(2) * discretisation_->element.n_modes * n_lanes; }
+
+  LocalUnknowns Muscle3dSystem::local(const Vector &u) const
+  {
+    const Muscle3dDiscretisation &d = *discretisation_;
+    const CurrentGhosts           current(u);
+    const CellSweep               cells = sweep();
+    const KernelModel             model = kernel_model(parameters_, {});
+    LocalUnknowns                 z;
+    z.values.resize_fast(d.batches->n_batches() * size_of_local());
+    for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
+      d.kernels.local(d.tables, model, cells.cells(b), current.begin(), &z.values[b * size_of_local()], d.scratch());
+    return z;
+  }
+
+  void Muscle3dSystem::advance(const Vector &u, const LocalUnknowns &z, const Vector &trial_u, const double alpha,
+                               LocalUnknowns &trial) const
+  {
+    const Muscle3dDiscretisation &d = *discretisation_;
+    const CurrentGhosts           from(u), to(trial_u);
+    const CellSweep               cells = sweep();
+    const KernelModel             model = kernel_model(parameters_, {});
+    trial.values.resize_fast(z.values.size());
+    for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
+      d.kernels.advance(d.tables, model, with_local(cells.cells(b), &z, b * size_of_local(), false), from.begin(), to.begin(), alpha,
+                        &trial.values[b * size_of_local()], d.scratch());
   }
 
   std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const

@@ -183,14 +183,17 @@ namespace myolines
             visit(face, conditions_[face.condition], q, deformed(face, q, u));
   }
 
-  void SurfaceForces::subtract(const double t, const Side side, const Vector &u, Vector &r) const
+  double SurfaceForces::subtract(const double t, const Side side, const Vector &u, Vector &r) const
   {
+    double squares = 0;
     for_each_point(u, [&](const Face &face, const Condition &condition, const std::size_t q, const Deformed &x) {
       const Vector3 at = force(face, q, condition.scale(t, side), x);
+      squares += at * at;
       for (std::size_t i = 0; i < face.nodes.size(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
           r.local_element(3 * face.nodes[i] + c) -= value_[q][i] * at[c];
     });
+    return std::sqrt(dealii::Utilities::MPI::sum(squares, d_.communicator));
   }
 
   std::vector<SurfaceForces::Tangent> SurfaceForces::tangents(const double t, const Side side, const Vector &u,

@@ -45,6 +45,11 @@ namespace myolines::scene
     return build_root(raw_scene(xml, name, overrides, root), schema, name, folder);
   }
 
+  Node list_of_defaults(const Schema &schema, const std::string &name, const std::vector<std::string> &entries)
+  {
+    return parse_scene("<ParameterList name=\"scene\"></ParameterList>", schema, name, ".", entries);
+  }
+
   std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,
                                        const std::vector<std::string> &overrides)
   {

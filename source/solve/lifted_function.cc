@@ -1,125 +1,185 @@
 #include <myolines/solve/lifted_function.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace myolines
 {
-  namespace
-  {
-    /// l2 norm over all ranks; unlike that of the vector class it may be NaN in builds with assertions.
-    double norm_or_nan(const Vector &x)
-    {
-      double sum = 0;
-      for (const double entry : x)
-        sum += entry * entry;
-      return std::sqrt(dealii::Utilities::MPI::sum(sum, x.get_mpi_communicator()));
-    }
-  } // namespace
-
-  LiftedFunction::LiftedFunction(NonlinearProblem &problem, LinearSolver &linear, WorkLedger &ledger, const Vector &layout)
-    : problem_(problem)
-    , linear_(linear)
+  LiftedFunction::LiftedFunction(const Constraints &constraints, const Vector &layout, WorkLedger &ledger)
+    : constraints_(&constraints)
     , ledger_(ledger)
-    , free_(problem.constraints(), layout)
+    , free_(constraints, layout)
+    , gap_(layout)
     , lift_(layout)
+    , rate_lift_(layout)
+    , right_(layout)
+    , true_(layout)
   {}
 
-  Vector LiftedFunction::gap(const Vector &x) const
+  bool LiftedFunction::fits(const NonlinearProblem &problem, const Vector &x) const
   {
-    Vector difference = x;
-    problem_.impose(difference);
-    difference -= x; // exactly zero on free unknowns, which impose() leaves alone
-    return difference;
+    return constraints_ == &problem.constraints() && gap_.get_partitioner() == x.get_partitioner();
   }
 
-  void LiftedFunction::linearise(const Vector &x, const std::uint64_t stamp)
+  /// l2 norm over all ranks; unlike that of the vector class it may be NaN in builds with assertions.
+  double LiftedFunction::norm(const Vector &x) const
   {
-    if (linearised_at_ == stamp)
+    double sum = 0;
+    for (const double entry : x)
+      sum += entry * entry;
+    return std::sqrt(dealii::Utilities::MPI::sum(sum, x.get_mpi_communicator()));
+  }
+
+  void LiftedFunction::set_norm(Iterate &at) const { at.norm = std::hypot(norm(at.g), at.evaluation.local); }
+
+  void LiftedFunction::set_gap(const NonlinearProblem &problem, const Vector &x)
+  {
+    gap_.zero_out_ghost_values();
+    std::copy(x.begin(), x.end(), gap_.begin());
+    problem.impose(gap_);
+    gap_.zero_out_ghost_values();
+    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+      gap_.local_element(i) -= x.local_element(i); // exactly zero on free unknowns, which impose() leaves alone
+    gap_.update_ghost_values();
+  }
+
+  void LiftedFunction::linearise(NonlinearProblem &problem, const Iterate &at)
+  {
+    if (linearised_at_ == at.stamp)
       return;
     const WorkLedger::Timer timer(ledger_, "assembly");
-    problem_.linearise(x);
-    linearised_at_ = stamp;
+    if (at.z.any())
+      problem.linearise_at(at.x, at.z);
+    else
+      problem.linearise(at.x);
+    linearised_at_ = at.stamp;
   }
 
-  void LiftedFunction::add_lift(const Vector &x, const Vector &missing, Sample &sample, Vector &g)
+  /// gap_ is that of the point.
+  void LiftedFunction::add_lift(NonlinearProblem &problem, Iterate &at)
   {
-    linearise(x, sample.stamp);
-    problem_.linearisation().apply(problem_.weights(), missing, lift_);
+    linearise(problem, at);
+    problem.linearisation().apply_at_fixed_local(problem.weights(), gap_, lift_);
     if (has_rate_gap_)
-      problem_.lift_rates(lift_);
-    free_.condense(lift_);
-    g += lift_;
-    lifted_at_       = sample.stamp;
-    sample.remaining = 1;
-    sample.norm      = norm_or_nan(g);
-  }
-
-  LiftedFunction::Sample LiftedFunction::first(const Vector &x, const std::uint64_t stamp, Vector &g)
-  {
-    has_rate_gap_        = problem_.open_rates(x);
-    Sample       sample  = sample_at(x, stamp, g);
-    const Vector missing = gap(x);
-    const double size    = norm_or_nan(missing);
-    if (!std::isfinite(size))
-      sample.evaluation = {false, "a prescribed value is not a finite number: a formula or drive is not defined at this time"};
-    if (sample.evaluation.admissible && (has_rate_gap_ || size > 0))
-      add_lift(x, missing, sample, g);
-    return sample;
-  }
-
-  LiftedFunction::Sample LiftedFunction::evaluate(const Vector &x, const std::uint64_t stamp, const double remaining, Vector &g)
-  {
-    if (has_rate_gap_)
-      problem_.keep_open(remaining);
-    Sample sample    = sample_at(x, stamp, g);
-    sample.remaining = remaining;
-    if (remaining != 0 && sample.evaluation.admissible)
       {
-        g.add(remaining, lift_);
-        sample.norm = norm_or_nan(g);
+        rate_lift_ = 0;
+        problem.lift_rates(rate_lift_); // takes (dF/dw) w away
+        lift_ += rate_lift_;
       }
-    return sample;
+    free_.condense(lift_);
+    at.g += lift_;
+    at.remaining = 1;
+    set_norm(at);
+    lifted_at_ = at.stamp;
   }
 
-  /// C^T F(x) with the rate gap as open as it is.
-  LiftedFunction::Sample LiftedFunction::sample_at(const Vector &x, const std::uint64_t stamp, Vector &g)
+  void LiftedFunction::evaluate(NonlinearProblem &problem, Iterate &at)
   {
     ++evaluations_;
-    Sample sample;
-    sample.stamp      = stamp;
-    sample.evaluation = problem_.residual(x, g);
-    sample.norm       = std::numeric_limits<double>::quiet_NaN();
-    if (!sample.evaluation.admissible)
-      return sample;
-
-    free_.condense(g);
-    sample.norm = norm_or_nan(g);
-    if (!std::isfinite(sample.norm))
-      sample.evaluation = {false, "the residual is not a finite number: a load or motion by a formula, perhaps, that is not defined there"};
-    return sample;
+    at.evaluation = at.z.any() ? problem.residual_at(at.x, at.z, false, at.g) : problem.residual(at.x, at.g);
+    at.norm       = std::numeric_limits<double>::quiet_NaN();
+    if (!at.evaluation.admissible)
+      return;
+    free_.condense(at.g);
+    set_norm(at);
+    if (!std::isfinite(at.norm))
+      at.evaluation = {false, "the residual is not a finite number: a load or motion by a formula, perhaps, that is not defined there"};
   }
 
-  /// Relative residual of a Newton direction that is good where the linear solver stalls.
+  void LiftedFunction::first(NonlinearProblem &problem, Iterate &at)
+  {
+    evaluations_  = 0;
+    has_rate_gap_ = problem.open_rates(at.x);
+    at.z          = problem.start_local();
+    at.stamp      = new_stamp();
+    at.remaining  = 0;
+    set_gap(problem, at.x);
+    const bool finite = std::isfinite(norm(gap_)), rounding = finite && gap_.linfty_norm() <= problem.resolution();
+    if (rounding)
+      {
+        problem.impose(at.x);
+        gap_ = 0;
+      }
+    evaluate(problem, at);
+    if (!finite)
+      at.evaluation = {false, "a prescribed value is not a finite number: a formula or drive is not defined at this time"};
+    if (at.evaluation.admissible && (has_rate_gap_ || !rounding))
+      add_lift(problem, at);
+  }
+
+  void LiftedFunction::move(NonlinearProblem &problem, const Iterate &from, const Vector &dx, const double alpha, Iterate &to)
+  {
+    to.stamp     = new_stamp();
+    to.remaining = (1 - alpha) * from.remaining;
+    to.x         = from.x;
+    to.x.add(alpha, dx);
+    if (to.remaining == 0)
+      problem.impose(to.x); // without the round-off of x + dx
+    to.x.update_ghost_values();
+    if (has_rate_gap_)
+      problem.keep_open(to.remaining);
+    if (from.z.any())
+      problem.advance(from.x, from.z, to.x, alpha, to.z);
+    evaluate(problem, to);
+    if (to.remaining != 0 && to.evaluation.admissible)
+      {
+        to.g.add(to.remaining, lift_);
+        set_norm(to);
+      }
+  }
+
+  /// Of the relative tolerances of linear solves; what is beyond is rounding.
+  constexpr double tightest = 1e-10;
+
+  /// Part of |G| that a Newton direction may leave where the linear solver stalls.
   constexpr double enough = 0.1;
 
-  LinearReport LiftedFunction::direction(const Vector &x, Sample &sample, Vector &g, const double tolerance, Vector &dx)
+  LinearReport LiftedFunction::direction(NonlinearProblem &problem, DirectionSolver &solver, Iterate &at, const double tolerance,
+                                         const double absolute, Vector &dx)
   {
-    linearise(x, sample.stamp);
-    const bool   open    = sample.remaining != 0;
-    const Vector missing = open ? gap(x) : Vector();
-    if (open && lifted_at_ != sample.stamp)
+    linearise(problem, at);
+    const bool open = at.remaining != 0;
+    if (open && lifted_at_ != at.stamp)
       {
-        g.add(-sample.remaining, lift_);
-        add_lift(x, missing, sample, g);
+        at.g.add(-at.remaining, lift_);
+        set_gap(problem, at.x);
+        add_lift(problem, at);
       }
-    Vector right(g);
-    right *= -1;
-    const LinearReport report = linear_.solve(problem_.linearisation(), problem_.weights(), problem_.constraints(), problem_.symmetric(),
-                                              right, dx, tolerance, enough);
+    double share = 1; // |G| / |right-hand side|
+    if (at.z.any())
+      {
+        problem.residual_at(at.x, at.z, true, right_);
+        if (open)
+          {
+            problem.linearisation().apply(problem.weights(), gap_, true_);
+            right_ += true_;
+            if (has_rate_gap_)
+              right_ += rate_lift_;
+          }
+        free_.condense(right_);
+        share = std::min(1., at.norm / norm(right_));
+      }
+    else
+      right_ = at.g;
+    right_ *= -1;
+    const double goal   = std::max(tolerance, at.norm > 0 ? std::min(0.5, absolute / at.norm) : 0.);
+    LinearReport report = solver.solve(problem, right_, dx, std::max(goal * share, tightest), enough * share);
     free_.distribute(dx);
     if (open)
-      dx += missing;
+      dx += gap_;
     return report;
+  }
+
+  double LiftedFunction::true_norm(NonlinearProblem &problem, const Iterate &at, Evaluation &evaluation)
+  {
+    evaluation = at.evaluation;
+    if (!at.z.any())
+      return at.norm;
+    evaluation = problem.residual(at.x, true_);
+    if (!evaluation.admissible)
+      return std::numeric_limits<double>::infinity();
+    free_.condense(true_);
+    return norm(true_);
   }
 } // namespace myolines

@@ -12,24 +12,17 @@
 
 namespace myolines
 {
-  namespace
-  {
-    /// The list that @p schema declares with these entries.
-    scene::Node list(const scene::Schema &schema, const std::vector<std::string> &entries)
-    {
-      return scene::parse_scene("<ParameterList name=\"scene\"></ParameterList>", schema, "solver of the mass", ".", entries);
-    }
-  } // namespace
-
   /// A solver of its own: mass and tangent are wanted in turn, and each is kept.
   class FirstOrderForm::Mass
   {
   public:
     explicit Mass(const IntegratorContext &context)
-      : linear_(list(LinearSolver::linear_schema(), {}), list(LinearSolver::preconditioner_schema(), preconditioner(context.system)),
+      : linear_(scene::list_of_defaults(LinearSolver::linear_schema(), "solver of the mass"),
+                scene::list_of_defaults(LinearSolver::preconditioner_schema(), "solver of the mass", preconditioner(context.system)),
                 context.ledger)
-      , nonlinear_(list(NonlinearSolver::schema(), {"relative tolerance=1e-12", "absolute tolerance=0", "forcing maximum=1e-4"}), linear_,
-                   context.ledger)
+      , nonlinear_(scene::list_of_defaults(NonlinearSolver::schema(), "solver of the mass",
+                                           {"relative tolerance=1e-12", "absolute tolerance=0", "forcing maximum=1e-4"}),
+                   linear_, context.ledger)
       , solver(IntegratorContext{context.system, nonlinear_, context.boundary_rates, context.ledger})
     {}
 

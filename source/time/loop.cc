@@ -290,7 +290,8 @@ namespace myolines
         record.number = number_;
         tell_rejected(record);
         if (!control_.rejected(state_.t, record.dt, record.report))
-          give_up(" of size " + text(record.dt) + " s", record.report.reason, control_.advice());
+          give_up(" of size " + text(record.dt) + " s", record.report.reason,
+                  record.report.advice.empty() ? control_.advice() : record.report.advice);
       }
 
       Integrator  &integrator_;

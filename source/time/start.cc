@@ -3,6 +3,7 @@
 #include <myolines/time/start.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace myolines
 {
@@ -67,6 +68,53 @@ namespace myolines
     return state;
   }
 
+  NonlinearReport raise_loads(const IntegratorContext &context, StageSolver &solver, Stage stage, double part, State &rest)
+  {
+    NonlinearReport  total;
+    Vector           unloaded(rest.u), history(rest.u);
+    const Evaluation evaluation = context.system.residual({stage.t, stage.side, rest.u, rest.v, rest.a}, unloaded);
+    if (!evaluation.admissible)
+      {
+        total.reason       = evaluation.reason;
+        total.inadmissible = true;
+        return total;
+      }
+    constexpr double smallest = 1. / 1024;
+    double           done     = 0;
+    while (done < 1)
+      {
+        const double next = std::min(1., done + part);
+        stage.history     = next < 1 ? &history : nullptr;
+        combine(history, {{next - 1, &unloaded}});
+        State  point = rest;
+        Vector d(rest.u);
+        d = 0;
+        context.ledger.count("load steps");
+        const NonlinearReport report    = solver.solve(stage, point, d);
+        const double          first     = total.iterations == 0 ? report.initial_residual : total.initial_residual;
+        const unsigned int    before[3] = {total.iterations, total.linear_iterations, total.residual_evaluations};
+        total                           = report;
+        total.initial_residual          = first;
+        total.iterations += before[0];
+        total.linear_iterations += before[1];
+        total.residual_evaluations += before[2];
+        if (report.converged)
+          {
+            done = next;
+            part *= 2;
+            swap(rest, point);
+          }
+        else if ((part /= 2) < smallest)
+          {
+            std::ostringstream text;
+            text << "at " << next << " of the loads, " << report.reason;
+            total.reason = text.str();
+            return total;
+          }
+      }
+    return total;
+  }
+
   void start_from_equilibrium(const IntegratorContext &given, State &state)
   {
     // With the rates of the boundary the body would be strained and accelerated there: they are left at zero.
@@ -79,36 +127,13 @@ namespace myolines
         *x = 0;
         x->update_ghost_values();
       }
-    Vector           unloaded(rest.u), history(rest.u);
-    const Evaluation evaluation = context.system.residual({state.t, Side::right, rest.u, rest.v, rest.a}, unloaded);
-    if (!evaluation.admissible)
-      throw SolveError("There is no equilibrium to start from: " + evaluation.reason + ".");
-
-    constexpr double smallest = 1. / 1024;
-    double           done = 0, part = 1;
-    while (done < 1)
-      {
-        const double next = std::min(1., done + part);
-        Stage        stage;
-        stage.t       = state.t;
-        stage.side    = Side::right;
-        stage.c       = {1, 0, 0};
-        stage.history = next < 1 ? &history : nullptr;
-        combine(history, {{next - 1, &unloaded}});
-        State  point = rest;
-        Vector d(rest.u);
-        d = 0;
-        context.ledger.count("load steps of the start");
-        const NonlinearReport report = solver.solve(stage, point, d);
-        if (report.converged)
-          {
-            done = next;
-            part *= 2;
-            rest.u.swap(point.u);
-          }
-        else if ((part /= 2) < smallest)
-          throw SolveError("The equilibrium to start from cannot be computed: " + report.reason + ".");
-      }
+    Stage stage;
+    stage.t                      = state.t;
+    stage.side                   = Side::right;
+    stage.c                      = {1, 0, 0};
+    const NonlinearReport report = raise_loads(context, solver, stage, 1, rest);
+    if (!report.converged)
+      throw SolveError("The equilibrium to start from cannot be computed: " + report.reason + ".");
     context.solver.forget(); // the weights of the steps to come are others
     state.u.swap(rest.u);
   }

@@ -9,8 +9,6 @@ namespace myolines
 {
   namespace
   {
-    const std::string more_iterations = "more \"solver/nonlinear/maximum iterations\"";
-
     class Fixed : public StepControl
     {
     public:
@@ -26,7 +24,7 @@ namespace myolines
       double      next_landing(const double t) const override { return plan_.at(t).end; }
       void        accepted(double, double, const StepReport &) override {}
       bool        rejected(double, double, const StepReport &) override { return false; }
-      std::string advice() const override { return "a smaller \"time/step\", \"time/control/type\" = \"cut back\", or " + more_iterations; }
+      std::string advice() const override { return "a smaller \"time/step\", or \"time/control/type\" = \"cut back\""; }
       void        save(Archive &) const override {}
       void        load(const Archive &) override {}
 
@@ -77,10 +75,7 @@ namespace myolines
         return half >= minimum_ && moves_time(t, half) && rejections_ <= maximum_cuts_;
       }
 
-      std::string advice() const override
-      {
-        return "a smaller \"time/step\", more \"maximum cuts\" in \"time/control\", or " + more_iterations;
-      }
+      std::string advice() const override { return "a smaller \"time/step\", or more \"maximum cuts\" in \"time/control\""; }
 
       void save(Archive &archive) const override
       {

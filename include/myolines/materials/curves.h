@@ -99,7 +99,8 @@ namespace myolines::curves
   double passive_energy(double stretch, const FibreCurves *user = nullptr);
 
   /// Force-velocity factor against strain rate e [-] (negative: shortening), (A.2.3), Ross et al.: zero below -1.2, cubics
-  /// with knots -0.25, 0, 0.05, constant 1.595047 above 0.75; slope 6.09 at 0.
+  /// with knots -0.25, 0, 0.05, constant 1.595047 above 0.75; slope 6.09 at 0. The constant of the piece that ends at rest is printed as
+  /// 0.350355, which makes a jump of 1.7e-7 there: the digits beyond are those of a continuous curve (errata 32).
   template <typename T>
   MYOLINES_INLINE Curve<T> force_velocity(const T &e, const FibreCurves *user = nullptr)
   {
@@ -113,7 +114,7 @@ namespace myolines::curves
     const T c3 = by_piece(0., 0.257927, 29.825565, -3165.684798, 0.688221, 0.);
     const T c2 = by_piece(0., 0.143175, -0.943550, 186.196125, -1.413963, 0.);
     const T c1 = by_piece(0., 0., 0.970369, 6.090887, 0.967864, 0.);
-    const T c0 = by_piece(0., 0., 0.350355, 1., 1.374324, 1.595047);
+    const T c0 = by_piece(0., 0., 0.350355171875, 1., 1.374324, 1.595047);
     return {((c3 * x + c2) * x + c1) * x + c0, (T(3.) * c3 * x + T(2.) * c2) * x + c1};
   }
 

@@ -25,11 +25,12 @@ namespace myolines
   struct KernelModel
   {
     Activation          activation;
-    bool                active;        ///< active stress takes part
-    bool                rate;          ///< ... and depends on the strain rate
-    bool                inertia;       ///< M a takes part
-    bool                exact_tangent; ///< else its symmetric part
-    curves::FibreCurves curves;        ///< of the user, where there are any; borrowed
+    bool                active;         ///< active stress takes part
+    bool                rate;           ///< ... and depends on the strain rate
+    bool                inertia;        ///< M a takes part
+    bool                exact_tangent;  ///< else its symmetric part
+    bool                fixed_pressure; ///< actions leave out the change of the pressure
+    curves::FibreCurves curves;         ///< of the user, where there are any; borrowed
   };
 
   /// One batch of cells (see CellBatches and PointMaterials); borrowed.
@@ -43,6 +44,18 @@ namespace myolines
     unsigned int        material_stride;   ///< doubles between points, 0 if all points are alike
     bool                muscle, tendon;    ///< whether some point has such fibres
     int                 n_filled;
+
+    const double *local  = nullptr; ///< D and p of the state, [2][n_modes] lanes; none: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h))
+    bool          solved = false;   ///< the pressure is Pi(Psi_vol'(D) + Psi_vol''(D) (Pi(J) - D)) instead of p
+  };
+
+  /// Squares [N^2] of the size of internal forces, before neighbours cancel, and of what rounding leaves of them. A cell of volume V
+  /// under stress P exerts nodal forces of the size |P| V^(2/3); displacements that are rounded to eps |u| change F by eps (1 + |u|/h).
+  struct KernelForces
+  {
+    double internal = 0;
+    double volume   = 0; ///< of a stress mu (Pi(J) - D), mu = 2 dPsi/dI1: what the D that is given misses
+    double rounding = 0;
   };
 
   /// State of one batch at its Gauss points, one lane per cell: what measurements and fields are made of.
@@ -85,9 +98,19 @@ namespace myolines
   /// included); scratch is aligned storage of scratch_size(n_points_1d, n_modes) doubles.
   struct Kernels
   {
-    /// r += R(u, v, a) without external loads. False if det F <= 0, D_h <= 0 or NaN anywhere in the batch; r is then unchanged.
+    /// r += R(u, v, a) without external loads, forces += their sizes. False if det F <= 0, D <= 0 or NaN anywhere in the batch; r is
+    /// then unchanged.
     bool (*residual)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, const double *a,
-                     double *r, double *scratch);
+                     double *r, KernelForces &forces, double *scratch);
+
+    /// z = D and p of u.
+    void (*local)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, double *z, double *scratch);
+
+    /// From D and p of the cells at u to trial_z at trial_u, the part alpha of a Newton step further:
+    ///     D_t = D + alpha (Pi(J) - D) + Pi(cof F : (F_t - F)),   p_t = (1 - alpha) p + Pi(alpha Psi' + Psi'' (D_t - D)),
+    /// Psi_vol' and Psi_vol'' at D. NaN in D_t where det F_t, Pi(J_t) or D_t is not positive.
+    void (*advance)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *trial_u, double alpha,
+                    double *trial_z, double *scratch);
 
     /// tangent = what the actions of K and C at (u, v) need: tangent_size() doubles.
     void (*linearise)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *tangent,

@@ -21,7 +21,8 @@ namespace myolines
     void prescribe(double t, Side side, State &state) const;
 
     /// r -= F_ext(t): tractions, isotonic loads, spread evenly over their faces, and body force.
-    void subtract_external(double t, Side side, Vector &r) const;
+    /// Their l2 norm.
+    double subtract_external(double t, Side side, Vector &r) const;
     bool any_external() const { return body_force_ != nullptr || !tractions_.empty(); }
 
     /// Power of the tractions and of the body force at velocity @p v on this rank [W].

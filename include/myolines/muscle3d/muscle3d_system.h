@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,9 @@ namespace myolines
   ///
   ///     M A + F_int(t, U, V) - F_ext(t, U) = 0,
   ///
-  /// pressure and dilatation eliminated exactly, cell by cell: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h)).
+  /// pressure and dilatation eliminated exactly, cell by cell: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h)). They are its local unknowns: as
+  /// functions of U they change by kappa times the square of a Newton step, as iterates they do not (Simo, Taylor and Pister,
+  /// doi:10.1016/0045-7825(85)90033-7; Magisano, Leonetti and Garcea, doi:10.1002/nme.5403).
   /// Unknown 3 n + c is component c [m] of node n. Quasi-static systems ignore v and a and take sV = 1.
   class Muscle3dSystem : public SemiDiscreteSystem
   {
@@ -31,12 +34,14 @@ namespace myolines
     Muscle3dSystem(Muscle3dParameters parameters, MPI_Comm communicator, WorkLedger &ledger);
     ~Muscle3dSystem() override;
 
-    Capabilities                        capabilities() const override;
-    std::size_t                         n_unknowns() const override;
-    State                               initial_state(double t0) const override;
-    const Constraints                  &constraints() const override;
-    void                                prescribed(double t, Side side, State &state) const override;
-    Evaluation                          residual(const Point &point, Vector &r) const override;
+    Capabilities       capabilities() const override;
+    std::size_t        n_unknowns() const override;
+    State              initial_state(double t0) const override;
+    const Constraints &constraints() const override;
+    void               prescribed(double t, Side side, State &state) const override;
+    Evaluation         residual(const Point &point, Vector &r) const override;
+    LocalUnknowns      local(const Vector &u) const override; ///< D and p by batch, [2][n_modes] lanes, ghost cells too
+    void advance(const Vector &u, const LocalUnknowns &z, const Vector &trial_u, double alpha, LocalUnknowns &trial) const override;
     std::unique_ptr<Linearisation>      make_linearisation() const override;
     void                                linearise(const Point &point, Linearisation &linearisation) const override;
     std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;
@@ -60,6 +65,10 @@ namespace myolines
 
   private:
     class Part;
+
+    std::size_t size_of_local() const; ///< doubles of one batch
+    /// Position of @p batch of the first rank that has one, for messages.
+    std::string where(std::optional<unsigned int> batch) const;
 
     Muscle3dSystem(Muscle3dParameters parameters, std::shared_ptr<Muscle3dDiscretisation> discretisation, WorkLedger &ledger);
 

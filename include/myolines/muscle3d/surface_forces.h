@@ -21,7 +21,8 @@ namespace myolines
     bool any() const { return !conditions_.empty(); }
 
     /// r -= force at displacement @p u with current ghosts. Not compressed.
-    void subtract(double t, Side side, const Vector &u, Vector &r) const;
+    /// The size of the forces [N], over all ranks.
+    double subtract(double t, Side side, const Vector &u, Vector &r) const;
 
     /// -dF/du of one face of a cell: rows and columns are 3 i + c, i counts the nodes of the face.
     struct Tangent

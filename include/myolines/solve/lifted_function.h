@@ -1,14 +1,39 @@
 #pragma once
 
+#include <myolines/solve/direction_solver.h>
 #include <myolines/solve/free_unknowns.h>
-#include <myolines/solve/linear_solver.h>
 #include <myolines/solve/nonlinear_problem.h>
-#include <myolines/system/ledger.h>
 
 #include <cstdint>
+#include <optional>
 
 namespace myolines
 {
+  /// A point of Newton's method and what was found there.
+  struct Iterate
+  {
+    Vector        x;
+    LocalUnknowns z; ///< empty: the problem has none
+    Vector        g; ///< G at x, z
+
+    std::uint64_t stamp     = 0; ///< names x and z: equal stamps, equal values
+    double        remaining = 0; ///< 1 - alpha, the part of the gap still open; 0: x_c = target
+    Evaluation    evaluation;
+    double        norm = 0; ///< of G and of the residual of z (Evaluation::local), over all ranks; NaN where inadmissible
+  };
+
+  /// Without copies; std::swap would make three, as vectors have no move assignment.
+  inline void swap(Iterate &left, Iterate &right)
+  {
+    left.x.swap(right.x);
+    left.z.values.swap(right.z.values);
+    left.g.swap(right.g);
+    std::swap(left.stamp, right.stamp);
+    std::swap(left.remaining, right.remaining);
+    std::swap(left.evaluation, right.evaluation);
+    std::swap(left.norm, right.norm);
+  }
+
   /// A NonlinearProblem with its constraints built in, as one function whose root Newton's method seeks. From x_0, along
   /// alpha dx, it is
   ///
@@ -18,51 +43,54 @@ namespace myolines
   /// closed, so one line search serves steps with and without a lift; what a damped step leaves is lifted anew by the
   /// next. With nothing to lift G is the residual on the free unknowns.
   ///
+  /// With local unknowns z, iterates beside x, F is F(x, z) and the lift is made with J at fixed z, so that neither knows how stiff the
+  /// equation of z is; the direction solves the reduced system, in which z is eliminated, and falls along G all the same.
+  ///
   /// A gap w between the rates at which F is evaluated and those of x (NonlinearProblem::open_rates()) is closed with it: F is that of
   /// (1 - alpha) w, and (1 - alpha) (dF/dw) w is taken from G.
   class LiftedFunction
   {
   public:
-    /// A point x and what was found there. stamp names the values of x: equal stamps, equal values.
-    struct Sample
-    {
-      std::uint64_t stamp     = 0;
-      double        remaining = 0; ///< 1 - alpha, the part of the gap still open; 0: x_c = target
-      Evaluation    evaluation;
-      double        norm = 0; ///< |G| over all ranks; NaN where inadmissible
-    };
+    /// @p layout has the size and distribution of x. Serves any number of solves of problems with the same constraints.
+    LiftedFunction(const Constraints &constraints, const Vector &layout, WorkLedger &ledger);
 
-    LiftedFunction(NonlinearProblem &problem, LinearSolver &linear, WorkLedger &ledger, const Vector &layout);
+    /// Whether the constraints and the layout are those of the constructor.
+    bool fits(const NonlinearProblem &problem, const Vector &x) const;
 
     /// A stamp never given before.
     std::uint64_t new_stamp() { return ++last_stamp_; }
 
-    /// g = G(x) at a first guess with any constrained entries.
-    Sample first(const Vector &x, std::uint64_t stamp, Vector &g);
+    /// G at a first guess @p at .x with any constrained entries. What is missing of those by no more than the resolution of the problem
+    /// is rounding, and mended.
+    void first(NonlinearProblem &problem, Iterate &at);
 
-    /// g = G(x) at a trial point that leaves @p remaining of the gap of the last direction().
-    Sample evaluate(const Vector &x, std::uint64_t stamp, double remaining, Vector &g);
+    /// @p to = @p from + alpha @p dx with its G; dx is the last direction(), found at @p from.
+    void move(NonlinearProblem &problem, const Iterate &from, const Vector &dx, double alpha, Iterate &to);
 
-    /// Newton direction at @p x, where @p sample and @p g were found, with |J dx + G| <= tolerance |G| on the free unknowns.
-    /// What a damped step left is lifted from here: @p sample and @p g become those with remaining = 1.
-    LinearReport direction(const Vector &x, Sample &sample, Vector &g, double tolerance, Vector &dx);
+    /// Newton direction at @p at, with |J dx + G| <= max(tolerance |G|, absolute) on the free unknowns. What a damped step left is
+    /// lifted from here: G becomes that with remaining = 1.
+    LinearReport direction(NonlinearProblem &problem, DirectionSolver &solver, Iterate &at, double tolerance, double absolute, Vector &dx);
 
-    /// Sets the constrained entries to their targets without round-off, where nothing remains.
-    void impose(Vector &x) const { problem_.impose(x); }
+    /// |F(x, z(x))| on the free unknowns, where nothing remains of the gap; @p evaluation belongs to it.
+    double true_norm(NonlinearProblem &problem, const Iterate &at, Evaluation &evaluation);
 
     unsigned int evaluations() const { return evaluations_; }
 
   private:
-    Sample sample_at(const Vector &x, std::uint64_t stamp, Vector &g);
-    Vector gap(const Vector &x) const;
-    void   linearise(const Vector &x, std::uint64_t stamp);
-    void   add_lift(const Vector &x, const Vector &missing, Sample &sample, Vector &g);
+    void   evaluate(NonlinearProblem &problem, Iterate &at);
+    void   set_gap(const NonlinearProblem &problem, const Vector &x);
+    void   linearise(NonlinearProblem &problem, const Iterate &at);
+    void   add_lift(NonlinearProblem &problem, Iterate &at);
+    double norm(const Vector &x) const;
+    void   set_norm(Iterate &at) const;
 
-    NonlinearProblem  &problem_;
-    LinearSolver      &linear_;
+    const Constraints *constraints_;
     WorkLedger        &ledger_;
     const FreeUnknowns free_;
-    Vector             lift_; ///< C^T (J gap - (dF/dw) w) of the point lifted last
+    Vector             gap_;
+    Vector             lift_;      ///< C^T (J gap - (dF/dw) w) of the point lifted last, J at fixed z
+    Vector             rate_lift_; ///< C^T (dF/dw) w of it
+    Vector             right_, true_;
     bool               has_rate_gap_  = false;
     std::uint64_t      lifted_at_     = 0;
     std::uint64_t      linearised_at_ = 0;

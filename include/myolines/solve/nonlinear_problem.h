@@ -29,6 +29,22 @@ namespace myolines
     virtual const WeightsByOrder &weights() const   = 0; ///< J = dF/dx = weights applied to the linearisation
     virtual bool                  symmetric() const = 0; ///< whether J is symmetric
 
+    /// Local unknowns z that are iterates beside x, at the start of a solve, whatever its first guess; empty: F has none. residual() is
+    /// F(x, z(x)), the function whose root is sought.
+    virtual LocalUnknowns start_local() const { return {}; }
+
+    /// F(x, z), which Newton's method makes small on its way; @p solved: at what the linearised equation of z gives at x instead of
+    /// @p z, the right-hand side of a Newton step.
+    virtual Evaluation residual_at(const Vector &x, const LocalUnknowns & /*z*/, bool /*solved*/, Vector &f) { return residual(x, f); }
+
+    /// Makes linearisation() that of x and z.
+    virtual void linearise_at(const Vector &x, const LocalUnknowns & /*z*/) { linearise(x); }
+
+    /// z moves with the part @p alpha of a Newton step from x to @p trial.
+    virtual void advance(const Vector & /*x*/, const LocalUnknowns & /*z*/, const Vector & /*trial*/, double /*alpha*/,
+                         LocalUnknowns & /*trial_z*/)
+    {}
+
     /// Called at the first guess @p x: F may from now on be evaluated at better rates than those of x. False: it is not, on any rank.
     /// Newton's method closes that gap w as it closes the one of constrained entries; see LiftedFunction.
     virtual bool open_rates(const Vector & /*x*/) { return false; }

@@ -16,6 +16,7 @@ namespace myolines
     bool         converged    = false;
     bool         inadmissible = false;     ///< failed because no admissible point was found along the step
     std::string  reason;                   ///< why not converged; empty if it did
+    std::string  advice;                   ///< what may help against that; empty: shorter steps
     unsigned int iterations           = 0; ///< Newton steps = linear solves
     unsigned int linear_iterations    = 0;
     unsigned int residual_evaluations = 0;
@@ -23,16 +24,17 @@ namespace myolines
     double       final_residual       = 0; ///< the same at the end
   };
 
-  /// Inexact Newton (Eisenstat and Walker, doi:10.1137/0917003, choice 2) with a safeguarded line search, on NOX.
+  /// Inexact Newton (Eisenstat and Walker, doi:10.1137/0917003, choice 2) with a safeguarded line search: NOX drives it, or a plain loop
+  /// where the linearisation is a narrow band (BandDirections). Local unknowns of the problem are iterates beside x.
   ///
-  /// Converged: |F_free| <= max(relative tolerance * |F_free after the lift|, absolute tolerance), nothing left to lift;
-  /// or, where the problem tells the importance of Newton steps, what remains does not matter (NewtonSteps).
-  /// Line search: accept |F| <= (1 - 1e-4 alpha) |F_0|, else quadratic interpolation clamped to [0.1, 0.5] of the last
-  /// alpha; halve at inadmissible points; at most `line search cuts` cuts. Full steps may raise |F| `patience` times in a row
-  /// (watchdog technique, Chamberlain et al., doi:10.1007/BFb0120945), by at most `patience growth`: along a Newton step of a nearly incompressible body
-  /// the volume changes to second order, which the next step mends at once and a decreasing |F| forbids.
+  /// Converged: nothing is left to lift, and the residual with local unknowns eliminated is below relative tolerance times the forces that
+  /// it balances, or below what rounding leaves of it (Evaluation), or below the absolute tolerance; of problems that do not tell their
+  /// forces the tolerance is relative to |F_free after the lift|. A Newton step below the resolution of x has converged too, and, where
+  /// the problem tells the importance of Newton steps, a solve of which what remains does not matter (NewtonSteps).
+  /// Line search: accept |G| <= (1 - 1e-4 alpha) |G_0|, else quadratic interpolation clamped to [0.1, 0.5] of the last alpha; halve at
+  /// inadmissible points; at most `line search cuts` cuts. |G| holds the residual of the local unknowns too.
   ///
-  /// Ledger: "nonlinear solves", "nonlinear solves begun anew", "newton iterations", "line search cuts". Prints nothing.
+  /// Ledger: "nonlinear solves", "newton iterations", "line search cuts". Prints nothing.
   class NonlinearSolver
   {
   public:

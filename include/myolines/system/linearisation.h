@@ -46,6 +46,9 @@ namespace myolines
     /// unknowns are those of the free system (a lift or a reaction needs them). @p x needs no ghosts on entry.
     virtual void apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const = 0;
 
+    /// The same at fixed local unknowns: without what their change adds to K.
+    virtual void apply_at_fixed_local(const WeightsByOrder &weights, const Vector &x, Vector &y) const { apply(weights, x, y); }
+
     /// Whether apply() costs less than filling the matrix of sparse() and a few products with it.
     virtual bool action_is_cheap() const { return false; }
 

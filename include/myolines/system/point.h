@@ -1,6 +1,7 @@
 #pragma once
 
 #include <myolines/algebra/vector.h>
+#include <myolines/system/local_unknowns.h>
 
 #include <array>
 #include <string>
@@ -40,6 +41,9 @@ namespace myolines
     const Vector &u;
     const Vector &v;
     const Vector &a;
+
+    const LocalUnknowns *local = nullptr; ///< z, or none: z(u), eliminated
+    bool solved = false; ///< z is what the linearised equation of z gives at u instead (the right-hand side of Newton's method)
   };
 
   /// J = w.u dR/du + w.v dR/dv + w.a dR/da; any weight may be zero.
@@ -63,6 +67,13 @@ namespace myolines
   struct Evaluation
   {
     bool        admissible = true;
-    std::string reason; ///< why not, in words; empty if admissible
+    std::string reason     = ""; ///< why not, in words; empty if admissible
+
+    /// l2 norm of the forces that R balances, inertia left out, before they cancel [unit of R]; 0: the system does not tell.
+    double forces = 0;
+    /// Size of the residual of the equation of local unknowns that are given, brought to the unit of R; 0: there are none, or it holds.
+    double local = 0;
+    /// l2 norm of what the rounding of u leaves of R at best [unit of R].
+    double rounding = 0;
   };
 } // namespace myolines

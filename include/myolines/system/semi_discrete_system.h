@@ -59,6 +59,19 @@ namespace myolines
     /// r = R(point); @p r has the layout of the state. If the state is inadmissible r is filled with NaN.
     virtual Evaluation residual(const Point &point, Vector &r) const = 0;
 
+    /// A system may eliminate unknowns z of single cells, with R(u) = R(u, z(u)). Newton's method converges better if z are iterates
+    /// beside u: it then asks for R(u, z) (Point::local), for the right-hand side of the reduced system K du = -R(u, z*), with z* from
+    /// the linearised equation of z at (u, z) (Point::solved), and for K at (u, z). At z = z(u) all of them are the plain ones.
+
+    /// z(u) at a displacement that is admissible; empty if the system eliminates nothing. No communication.
+    virtual LocalUnknowns local(const Vector & /*u*/) const { return {}; }
+
+    /// The iterate @p z at @p u moves to @p trial, where u has become @p trial_u after the part @p alpha of a Newton step. What becomes
+    /// inadmissible makes the residual there inadmissible. No communication; both vectors need current ghosts.
+    virtual void advance(const Vector & /*u*/, const LocalUnknowns & /*z*/, const Vector & /*trial_u*/, double /*alpha*/,
+                         LocalUnknowns & /*trial*/) const
+    {}
+
     /// Storage for linearisations, once.
     virtual std::unique_ptr<Linearisation> make_linearisation() const = 0;
 

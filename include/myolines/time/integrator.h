@@ -75,6 +75,7 @@ namespace myolines
     };
     Outcome               outcome = Outcome::accepted;
     std::string           reason;
+    std::string           advice; ///< what may help; empty: what the control of steps says
     unsigned int          newton_iterations    = 0;
     unsigned int          linear_iterations    = 0;
     unsigned int          residual_evaluations = 0;

@@ -31,13 +31,16 @@ namespace myolines
     };
     const Average *average = nullptr; ///< none: at the end of the stage
 
-    /// First guess of the velocities, or none: those of the guess of d. Newton's method then starts at velocities that do not belong
-    /// to its displacements; its first step closes the gap.
+    /// First guess of the velocities, or none: those of the guess of d. Where the system has local unknowns (SemiDiscreteSystem::local())
+    /// Newton's method starts at the d that belongs to them, and only if it fails at the guess of d. Elsewhere, and then, it starts at
+    /// velocities that do not belong to its displacements; its first step closes the gap.
     const Vector *first_v = nullptr;
 
     /// False: constrained unknowns keep their predictors and g(t) plays no part.
     bool prescribed = true;
   };
+
+  class StageWork;
 
   /// Solves stages for all methods; owns the linearisation and the work vectors.
   class StageSolver
@@ -78,11 +81,9 @@ namespace myolines
     void linearise(const Point &point);
 
   private:
-    class Work;
-    class StageProblem;
     class LinearProblem;
-    std::unique_ptr<Work> work_;
-    NonlinearSolver      &solver_;
+    std::unique_ptr<StageWork> work_;
+    NonlinearSolver           &solver_;
   };
 
   /// Copies the verdict and the counts of a nonlinear solve into a step report, adding to counts already there.

@@ -9,10 +9,14 @@ namespace myolines
   /// (errata 21); with exact rates and an impulse v = 0 is what the boundary jumps from in start_piece().
   State starting_state(const SemiDiscreteSystem &system, double t0, BoundaryRates rates, StartVelocity start_velocity);
 
+  /// The equilibrium at the end of @p stage, which has c_v = c_a = 0, from @p rest, a state at rest: R(u) = (1 - s) R(rest) with s rising
+  /// to 1, first by @p part, by less where a solve fails and by more where it does not. On success @p rest is the equilibrium; a failure
+  /// tells the s that was too much. Ledger: "load steps".
+  NonlinearReport raise_loads(const IntegratorContext &context, StageSolver &solver, Stage stage, double part, State &rest);
+
   /// Makes the displacement of @p state the one at rest: R(t, u, 0, 0) = 0 with the loads and prescribed displacements of the right
   /// limit at its time; u need not be close, and v and a stay. Newton's method starts from the undeformed body, all at once; where
-  /// that fails the residual there is taken away in smaller and smaller parts, R(u) = (1 - s) R(0). Ledger: "starts from
-  /// equilibrium", "load steps of the start". @throws SolveError if no part gets on.
+  /// that fails the loads are raised in parts (raise_loads()). Ledger: "starts from equilibrium". @throws SolveError if no part gets on.
   void start_from_equilibrium(const IntegratorContext &context, State &state);
 
   /// Beginning of a smooth piece. Prescribed unknowns of @p state take their right limits, unless scheme rates and an impulse

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <deal.II/base/aligned_vector.h>
+
+namespace myolines
+{
+  /// Unknowns z of single cells that a system eliminates, z = z(u), and that Newton's method carries as iterates of their own beside
+  /// u: see SemiDiscreteSystem::local(). A plain value, owned by whoever owns the iterate u; what its numbers mean is the system's
+  /// affair. Empty: the system has none.
+  struct LocalUnknowns
+  {
+    dealii::AlignedVector<double> values;
+
+    bool any() const { return !values.empty(); }
+  };
+} // namespace myolines

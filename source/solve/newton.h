@@ -1,0 +1,69 @@
+#pragma once
+
+#include <myolines/scene/scene.h>
+#include <myolines/solve/lifted_function.h>
+#include <myolines/solve/newton_steps.h>
+#include <myolines/solve/nonlinear_solver.h>
+
+#include <optional>
+
+namespace myolines
+{
+  /// The parts of one solve with Newton's method that do not depend on who drives it: verdict, direction, step length, messages.
+  /// See the class comment of NonlinearSolver.
+  class Newton
+  {
+  public:
+    /// Parameters of `solver/nonlinear`.
+    struct Options
+    {
+      explicit Options(const scene::Node &nonlinear);
+
+      double                relative_tolerance;
+      std::optional<double> absolute_tolerance;
+      unsigned int          maximum_iterations, maximum_cuts;
+      double                forcing_minimum, forcing_maximum;
+    };
+
+    enum class Verdict
+    {
+      go_on,
+      converged,
+      failed ///< report().reason says why
+    };
+
+    Newton(const Options &options, NonlinearProblem &problem, LiftedFunction &function, DirectionSolver &solver, WorkLedger &ledger);
+
+    /// G at the first guess @p at .x. False: it is inadmissible.
+    bool begin(Iterate &at);
+
+    Verdict judge(const Iterate &at);
+
+    /// False: the linear solver failed.
+    bool direction(Iterate &at, double tolerance, Vector &dx);
+
+    /// @p to = @p from + alpha @p dx, with the alpha that is taken; none: the line search failed.
+    std::optional<double> search(const Iterate &from, const Vector &dx, Iterate &to);
+
+    /// Ends the solve for a reason from elsewhere.
+    void fail(const std::string &reason);
+
+    /// The solve so far.
+    const NonlinearReport &report();
+
+  private:
+    double      tolerance(const Evaluation &evaluation) const;
+    bool        at_rounding(const Evaluation &evaluation) const;
+    std::string looser_tolerance(const Evaluation &evaluation) const;
+    void        fail_search(const Iterate &from, const Iterate &trial, unsigned int cuts, double alpha);
+
+    const Options    &options_;
+    NonlinearProblem &problem_;
+    LiftedFunction   &function_;
+    DirectionSolver  &solver_;
+    WorkLedger       &ledger_;
+    NonlinearReport   report_;
+    NewtonSteps       steps_;
+    bool              below_resolution_ = false; ///< the last direction is
+  };
+} // namespace myolines
