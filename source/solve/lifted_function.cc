@@ -87,10 +87,10 @@ namespace myolines
       at.evaluation = {false, "the residual is not a finite number: a load or motion by a formula, perhaps, that is not defined there"};
   }
 
-  void LiftedFunction::first(NonlinearProblem &problem, Iterate &at)
+  void LiftedFunction::first(NonlinearProblem &problem, const bool with_rates, Iterate &at)
   {
     evaluations_  = 0;
-    has_rate_gap_ = problem.open_rates(at.x);
+    has_rate_gap_ = with_rates && problem.open_rates(at.x);
     at.z          = problem.start_local();
     at.stamp      = new_stamp();
     at.remaining  = 0;

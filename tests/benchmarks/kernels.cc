@@ -63,7 +63,8 @@ namespace myolines
         return;
       Bench s(state.range(0), state.range(1), set);
       s.measure(state, [&](const KernelCells &cells) {
-        s.d.kernels.residual(s.d.tables, s.model, cells, s.u.begin(), s.v.begin(), s.a.begin(), s.r.begin(), s.d.scratch());
+        KernelForces forces;
+        s.d.kernels.residual(s.d.tables, s.model, cells, s.u.begin(), s.v.begin(), s.a.begin(), s.r.begin(), forces, s.d.scratch());
       });
     }
 

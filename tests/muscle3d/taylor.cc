@@ -274,9 +274,10 @@ namespace myolines
             State             state = state_;
             for (Vector *x : {&state.u, &state.v, &state.a})
               x->update_ghost_values();
+            KernelForces forces;
             for (unsigned int b = 0; b < d.batches->n_owned_batches(); ++b)
               EXPECT_TRUE(d.kernels.residual(d.tables, model, sweep.cells(b), state.u.begin(), state.v.begin(), state.a.begin(), s.begin(),
-                                             d.scratch()));
+                                             forces, d.scratch()));
             s.compress(dealii::VectorOperation::add);
             s -= r;
             EXPECT_LE(s.l2_norm(), 1e-12 * r.l2_norm());

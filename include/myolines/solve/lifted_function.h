@@ -61,8 +61,8 @@ namespace myolines
     std::uint64_t new_stamp() { return ++last_stamp_; }
 
     /// G at a first guess @p at .x with any constrained entries. What is missing of those by no more than the resolution of the problem
-    /// is rounding, and mended.
-    void first(NonlinearProblem &problem, Iterate &at);
+    /// is rounding, and mended. @p with_rates: rates that do not belong to x are asked for (NonlinearProblem::open_rates()).
+    void first(NonlinearProblem &problem, bool with_rates, Iterate &at);
 
     /// @p to = @p from + alpha @p dx with its G; dx is the last direction(), found at @p from.
     void move(NonlinearProblem &problem, const Iterate &from, const Vector &dx, double alpha, Iterate &to);
