@@ -3,7 +3,7 @@
 preconditioners.py PROGRAM [--refinements 2 3]
 
 The block is stretched by 5 % in 0.1 s (four steps of input/passive_stretch.xml) while it is activated along a ramp: not (passive), to 0.5
-(half) or to 1 (full). Newton to 1e-8 of the first residual, linear solves to 1e-4 (not adapted, so that the counts compare). jacobi at
+(half) or to 1 (full). Newton to its default tolerance, linear solves to 1e-4 (not adapted, so that the counts compare). jacobi at
 refinement 3 takes long.
 """
 

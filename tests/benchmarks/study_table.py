@@ -106,7 +106,7 @@ def print_cases(rows, given):
 
 
 def print_equal_error(given, results):
-    """What each of the works costs: methods in the order of the study."""
+    """What each of the works costs, methods in the order of the study; "-" where no two neighbouring runs of a method enclose the target."""
     costs = {}
     for work in given.equal_error:
         rows = run_study(given.program, given.study, results, "--set", f"work={work}")[1]
@@ -116,7 +116,7 @@ def print_equal_error(given, results):
     lines = []
     for method in next(iter(costs.values())):
         rows = [(work, costs[work][method]) for work in costs]
-        lines.append([method] + [(f"{float(row[work]):.2f}" if work.startswith("CPU") else f"{float(row[work]):.1f}") if row[work] else row["notes"] for work, row in rows])
+        lines.append([method] + [(f"{float(row[work]):.2f}" if work.startswith("CPU") else f"{float(row[work]):.1f}") if row[work] else "-" for work, row in rows])
     print_table(["method"] + [work + (" [s]" if work.startswith("CPU") else "") for work in costs], lines)
 
 
