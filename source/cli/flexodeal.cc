@@ -261,7 +261,7 @@ namespace myolines
         settings.push_back({std::string("system/geometry/") + path, format_number(scale * peer.positive("Geometry", name))});
       const int refinement = peer.integer("Geometry", "Global refinement", 0, 8);
       if (refinement == 0)
-        out << "changed: Geometry / Global refinement = 0 becomes 1 (the peer refines at least once)\n";
+        out << "changed: Geometry / Global refinement = 0 becomes 1 (Flexodeal refines at least once)\n";
       settings.push_back({"system/geometry/refinement", std::to_string(std::max(1, refinement))});
     }
 
