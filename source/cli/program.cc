@@ -339,7 +339,15 @@ namespace myolines
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told where it is written
     const bool is_study = argc > 1 && std::string(argv[1]) == "study";
     if (!is_study || MpiSession::is_rank_of_a_job())
-      mpi.start();
+      {
+        struct sigaction hang_up
+        {
+        };
+        sigaction(SIGHUP, nullptr, &hang_up);
+        mpi.start();
+        if (hang_up.sa_handler == SIG_IGN) // by nohup, which the MPI library forgets
+          std::signal(SIGHUP, SIG_IGN);
+      }
     std::ostream  nowhere(nullptr);
     std::ostream &out = writes_files() ? std::cout : nowhere;
     std::ostream &err = writes_files() ? std::cerr : nowhere;

@@ -157,9 +157,10 @@ namespace myolines
           out << "Resumed " << record.resumed << ".\n";
       }
 
-    const OutputFolder outputs = checkpoint ? folder.resume(resolved, checkpoint->outputs) : folder.begin(resolved, options.overwrite);
-    const auto         book    = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
-    const auto         close   = [&](const std::string &reason) {
+    const OutputFolder outputs =
+        checkpoint ? folder.resume(resolved, checkpoint->outputs) : folder.begin(resolved, options.overwrite, record);
+    const auto book  = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
+    const auto close = [&](const std::string &reason) {
       book(reason);
       write_ledger(outputs, experiment.ledger());
     };

@@ -1,5 +1,6 @@
 #include "hdf5_tables.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include <hdf5.h>
@@ -97,10 +98,24 @@ namespace myolines
       std::size_t                                      size = 0;
     };
 
+    /// Whether the system will give the library what it needs is found out before: a file that it can neither write nor close it would
+    /// try to close until the program ends, and then end with it.
+    void require_room(const std::filesystem::path &memory, const std::vector<Hdf5Table> &tables)
+    {
+      const std::string head(65536 + 4096 * tables.size(), '\0');
+      std::size_t       rows = 0;
+      for (const Hdf5Table &table : tables)
+        rows += table.rows * std::max<std::size_t>(table.width, 1) * sizeof(double);
+      File file(memory, File::Mode::write_anew);
+      file.resize(head.size() + rows);
+      file.write_at(0, head.data(), head.size());
+    }
+
     Head arrange(const std::vector<Hdf5Table> &tables, const std::vector<std::pair<std::string, double>> &numbers)
     {
       const MemoryFile memory;
       Head             head;
+      require_room(memory.path, tables);
       H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // failures are told once, by us
       {
         const Handle file(H5Fcreate(memory.path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);

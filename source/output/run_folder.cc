@@ -57,16 +57,18 @@ namespace myolines
     });
   }
 
-  OutputFolder RunFolder::begin(const std::string &resolved, const bool overwrite) const
+  OutputFolder RunFolder::begin(const std::string &resolved, const bool overwrite, const RunRecord &record) const
   {
     collectively(path_, [&] {
       refuse_other_results(resolved, overwrite);
       remove_old_results();
     });
     const OutputFolder outputs = OutputFolder::with_foreign_files(path_);
-    replace_file(outputs.file(resolved_name), resolved);
-    for (const char *name : {"manifest.json", "ledger.json", "run.log", "steps.csv", "checkpoint", "states/state-*"})
+    for (const char *name : {"ledger.json", "run.log", "steps.csv", "checkpoint", "states/state-*", resolved_name})
       outputs.note(name);
+    outputs.note("manifest.json");
+    write_manifest(outputs, record, "running");
+    replace_file(outputs.file(resolved_name), resolved);
     return outputs;
   }
 
@@ -105,13 +107,16 @@ namespace myolines
         {
           std::vector<std::filesystem::path> gone;
           for (const auto &entry : std::filesystem::directory_iterator(path_ / inside))
-            if (const auto name = inside / entry.path().filename(); entry.is_regular_file() && name != lock_name && old(name.string()))
+            if (const auto name = inside / entry.path().filename();
+                entry.is_regular_file() && name != lock_name && name != "manifest.json" && old(name.string()))
               gone.push_back(entry.path());
           for (const std::filesystem::path &file : gone)
             std::filesystem::remove(file);
           if (std::error_code holds_others; !inside.empty() && !gone.empty())
             std::filesystem::remove(path_ / inside, holds_others);
         }
+    if (old("manifest.json")) // last: whoever is killed before leaves a folder that is known as ours
+      std::filesystem::remove(path_ / "manifest.json");
   }
 
   bool run_is_done(const std::filesystem::path &folder)

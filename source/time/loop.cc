@@ -135,7 +135,7 @@ namespace myolines
     private:
       void advance()
       {
-        if (!settings_.resumed)
+        if (!settings_.resumed && state_.t == settings_.start)
           {
             method_.start(state_);
             for (Observer *observer : observers_)

@@ -31,8 +31,9 @@ namespace
   /// a program. MPI itself needs longer files at its start.
   Outcome run_on_a_full_disk(const TestFolder &folder, const std::string &arguments, const std::string &out, const int bytes)
   {
-    const std::string wait = "while kill -0 $p 2> nothing.txt && [ ! -s " + out +
-                             "/steps.csv ]; do sleep 0.01; done; prlimit --pid $p --fsize=" + std::to_string(bytes) + "; wait $p";
+    const std::string wait =
+        "while kill -0 $p 2> nothing.txt && [ $(cat " + out +
+        "/steps.csv 2> nothing.txt | wc -l) -lt 3 ]; do sleep 0.01; done; prlimit --pid $p --fsize=" + std::to_string(bytes) + "; wait $p";
     const std::string command = "cd '" + folder.path().string() + "' && { '" + myolines::test::program_file() + "' " + arguments + out +
                                 " > out.txt 2> err.txt < /dev/null & p=$!; " + wait + "; }";
     const int status = std::system(command.c_str());

@@ -30,8 +30,7 @@ namespace
   void run(const std::filesystem::path &folder, const std::string &scene, const std::string &name, const bool overwrite = false)
   {
     const RunFolder    place(folder);
-    const OutputFolder outputs = place.begin(scene, overwrite);
-    write_manifest(outputs, {}, "running");
+    const OutputFolder outputs = place.begin(scene, overwrite, {});
     outputs.note("fields-*.vtu");
     std::ofstream(folder / "fields-0012.vtu") << "field";
     CsvFile(outputs, name, {"Time [s]"}).row(std::vector<double>{1});

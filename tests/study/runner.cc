@@ -126,6 +126,7 @@ TEST(Runner, TimeOutsAndBudgets)
 TEST(Runner, InterruptedCasesResume)
 {
   const std::string script       = "touch \"$6/checkpoint\"; printf %s \"$4\" > \"$6/scene.resolved.xml\"\n"
+                                   "echo '{\"program\": \"myolines\", \"exit reason\": \"running\"}' > \"$6/manifest.json\"\n"
                                    "case \"$*\" in *--resume*) exit 0;; *) exec sleep 60;; esac\n";
   const std::string short_budget = section("budget", parameter("total", "0.3", "double"));
   FakeProgram       resumes(script, parameter("interrupted cases", "resume") + short_budget);

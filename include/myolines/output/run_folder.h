@@ -1,6 +1,7 @@
 #pragma once
 
 #include <myolines/output/file_lock.h>
+#include <myolines/output/manifest.h>
 #include <myolines/output/output_folder.h>
 
 #include <optional>
@@ -17,9 +18,10 @@ namespace myolines
 
     const std::filesystem::path &path() const { return path_; }
 
-    /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones.
+    /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones. Writes the manifest of the
+    /// run, as running, before anything else.
     /// @throws InputError if these are of another scene than @p resolved and not to @p overwrite, or a file is not of a run.
-    OutputFolder begin(const std::string &resolved, bool overwrite) const;
+    OutputFolder begin(const std::string &resolved, bool overwrite, const RunRecord &record) const;
 
     /// For a run that goes on with what it @p saved.
     OutputFolder resume(const std::string &resolved, const Archive &saved) const;
