@@ -84,7 +84,10 @@ namespace myolines
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
         command->add_option("--out", run.folder, "Where to write; default: results/ and the name of the scene")->type_name("DIR");
         CLI::Option *resume = command->add_flag("--resume", run.resume, "Goes on from the checkpoint in the output folder");
-        command->add_flag("--overwrite", run.overwrite, "Removes results of another scene from the output folder")->excludes(resume);
+        command
+            ->add_flag("--overwrite", run.overwrite,
+                       "Removes results of another scene, or of this one with other values, from the output folder")
+            ->excludes(resume);
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
         add_overrides(command);
       }

@@ -125,7 +125,7 @@ namespace myolines
 
   void run_command(const RunOptions &options, std::ostream &out)
   {
-    RunRecord                   record{options.command_line, iso8601_now(), "", {}};
+    RunRecord                   record{options.command_line, std::filesystem::absolute(options.scene).string(), iso8601_now(), "", {}};
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     const std::string           resolved = scene::resolved_xml(experiment.scene());

@@ -98,6 +98,7 @@ namespace myolines
     manifest["ranks"]        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     manifest["host"]         = {{"name", host_name()}, {"CPU", cpu_model()}, {"hardware threads", std::thread::hardware_concurrency()}};
     manifest["command line"] = record.command_line;
+    manifest["scene"]        = record.scene;
     manifest["started"]      = record.started;
     manifest["finished"]     = iso8601_now();
     manifest["resumed"]      = record.resumed.empty() ? Json(nullptr) : Json(record.resumed);
@@ -131,6 +132,8 @@ namespace myolines
     if (!manifest.contains("exit reason") || !manifest["exit reason"].is_string())
       refuse("it is damaged: the exit reason is missing");
     read.exit_reason = manifest["exit reason"];
+    if (manifest.contains("scene") && manifest["scene"].is_string())
+      read.scene = manifest["scene"];
     read.lists_files = manifest.contains("files");
     if (!read.lists_files)
       return read;

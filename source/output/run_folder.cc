@@ -60,8 +60,12 @@ namespace myolines
   OutputFolder RunFolder::begin(const std::string &resolved, const bool overwrite, const RunRecord &record) const
   {
     collectively(path_, [&] {
-      refuse_other_results(resolved, overwrite);
-      remove_old_results();
+      if (overwrite || !has_other_results(resolved))
+        return remove_old_results();
+      if (read_manifest(path_)->scene != record.scene)
+        refuse_folder(path_, "it holds the results of a run of another scene",
+                      "another folder with --out; --overwrite removes those results");
+      move_old_results();
     });
     const OutputFolder outputs = OutputFolder::with_foreign_files(path_);
     for (const char *name : {"ledger.json", "run.log", "steps.csv", "checkpoint", "states/state-*", resolved_name})
@@ -83,40 +87,64 @@ namespace myolines
     return outputs;
   }
 
-  void RunFolder::refuse_other_results(const std::string &resolved, const bool overwrite) const
+  bool RunFolder::has_other_results(const std::string &resolved) const
   {
-    const auto files = files_of(path_);
     const auto scene = path_ / resolved_name;
-    if (files.count(resolved_name) == 0 || !std::filesystem::exists(scene) || overwrite)
-      return;
-    if (read_file(scene) != resolved)
-      refuse_folder(
-          path_, "it holds the results of a run of another scene, or of this one with other values",
-          "another folder with --out; --overwrite removes those results; --resume goes on with a run whose end or output changes");
+    return files_of(path_).count(resolved_name) > 0 && std::filesystem::exists(scene) && read_file(scene) != resolved;
   }
 
-  void RunFolder::remove_old_results() const
+  /// Names relative to the folder; the manifest is the last: whoever is killed before it goes leaves a folder that is known as ours.
+  std::vector<std::filesystem::path> RunFolder::old_results() const
   {
     const auto files = files_of(path_);
     const auto old   = [&files](const std::string &name) {
       return std::any_of(files.begin(), files.end(),
                            [&name](const std::string &listed) { return matches(name, listed) || matches(name, listed + ".new"); });
     };
+    std::vector<std::filesystem::path> all;
     for (const std::filesystem::path inside : {"", "states", "pictures"})
       if (std::filesystem::is_directory(path_ / inside))
-        {
-          std::vector<std::filesystem::path> gone;
-          for (const auto &entry : std::filesystem::directory_iterator(path_ / inside))
-            if (const auto name = inside / entry.path().filename();
-                entry.is_regular_file() && name != lock_name && name != "manifest.json" && old(name.string()))
-              gone.push_back(entry.path());
-          for (const std::filesystem::path &file : gone)
-            std::filesystem::remove(file);
-          if (std::error_code holds_others; !inside.empty() && !gone.empty())
-            std::filesystem::remove(path_ / inside, holds_others);
-        }
-    if (old("manifest.json")) // last: whoever is killed before leaves a folder that is known as ours
-      std::filesystem::remove(path_ / "manifest.json");
+        for (const auto &entry : std::filesystem::directory_iterator(path_ / inside))
+          if (const auto name = inside / entry.path().filename();
+              entry.is_regular_file() && name != lock_name && name != "manifest.json" && old(name.string()))
+            all.push_back(name);
+    if (old("manifest.json"))
+      all.push_back("manifest.json");
+    return all;
+  }
+
+  namespace
+  {
+    void remove_if_empty(const std::filesystem::path &folder)
+    {
+      std::error_code holds_others;
+      std::filesystem::remove(folder, holds_others);
+    }
+  } // namespace
+
+  void RunFolder::remove_old_results() const
+  {
+    for (const std::filesystem::path &name : old_results())
+      {
+        std::filesystem::remove(path_ / name);
+        if (name.has_parent_path())
+          remove_if_empty(path_ / name.parent_path());
+      }
+  }
+
+  void RunFolder::move_old_results() const
+  {
+    unsigned int n = 1;
+    while (std::filesystem::exists(path_ / ("earlier-" + std::to_string(n))))
+      ++n;
+    const std::filesystem::path aside = path_ / ("earlier-" + std::to_string(n));
+    for (const std::filesystem::path &name : old_results())
+      {
+        std::filesystem::create_directories((aside / name).parent_path());
+        std::filesystem::rename(path_ / name, aside / name);
+        if (name.has_parent_path())
+          remove_if_empty(path_ / name.parent_path());
+      }
   }
 
   bool run_is_done(const std::filesystem::path &folder)

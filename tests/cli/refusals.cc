@@ -126,13 +126,29 @@ TEST(RunFolders, ResultsOfAnotherSceneNeedToBeOverwritten)
   const std::string run = "run swing.xml --out out --quiet ";
   ASSERT_EQ(run_program(folder, run).exit_code, 0);
   ASSERT_EQ(run_program(folder, run).exit_code, 0) << "the same again";
-  const std::string before  = folder.text("out/trajectory.csv");
-  const Outcome     refused = run_program(folder, run + "--set system/mass=3");
+  const std::string before = folder.text("out/trajectory.csv");
+  folder.write("other.xml", folder.text("swing.xml"));
+  const Outcome refused = run_program(folder, "run other.xml --out out --quiet --set system/mass=3");
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_TRUE(has(refused.err, "--overwrite")) << refused.err;
   EXPECT_EQ(folder.text("out/trajectory.csv"), before);
-  ASSERT_EQ(run_program(folder, run + "--set system/mass=3 --overwrite").exit_code, 0);
+  ASSERT_EQ(run_program(folder, "run other.xml --out out --quiet --set system/mass=3 --overwrite").exit_code, 0);
   EXPECT_NE(folder.text("out/trajectory.csv"), before);
+}
+
+TEST(RunFolders, ResultsOfTheSameSceneWithOtherValuesAreKeptAside)
+{
+  const Faulty      folder;
+  const std::string run = "run swing.xml --out out --quiet ";
+  ASSERT_EQ(run_program(folder, run).exit_code, 0);
+  const std::string before = folder.text("out/trajectory.csv");
+  ASSERT_EQ(run_program(folder, run + "--set system/mass=3").exit_code, 0);
+  EXPECT_EQ(folder.text("out/earlier-1/trajectory.csv"), before);
+  EXPECT_NE(folder.text("out/trajectory.csv"), before);
+  ASSERT_EQ(run_program(folder, run + "--set system/mass=4").exit_code, 0);
+  EXPECT_TRUE(folder.is_there("out/earlier-2/manifest.json"));
+  ASSERT_EQ(run_program(folder, run + "--set system/mass=5 --overwrite").exit_code, 0);
+  EXPECT_FALSE(folder.is_there("out/earlier-3"));
 }
 
 TEST(RunFolders, FilesOfOthersAreLeftAlone)

@@ -16,7 +16,7 @@ TEST(Manifest, NamesWhatMadeTheRun)
   const std::string  started = iso8601_now();
   const OutputFolder outputs(folder.path);
   outputs.note("fields-*.vtu");
-  write_manifest(outputs, {"myolines run \"a scene.xml\"", started, "", {{"a scene.xml", "0123abcd"}}}, "done");
+  write_manifest(outputs, {"myolines run \"a scene.xml\"", "a scene.xml", started, "", {{"a scene.xml", "0123abcd"}}}, "done");
 
   const nlohmann::json manifest = nlohmann::json::parse(folder.text("manifest.json"));
   EXPECT_EQ(manifest.at("program"), "myolines");
@@ -70,7 +70,7 @@ TEST(Manifest, WhatIsAddedLaterIsListed)
   test::Folder       folder;
   const OutputFolder outputs(folder.path);
   outputs.note("a.csv");
-  write_manifest(outputs, {"run", "then", "", {}}, "done");
+  write_manifest(outputs, {"run", "scene.xml", "then", "", {}}, "done");
   list_in_manifest(folder.path, {"pictures/a.png"});
   EXPECT_EQ(read_manifest(folder.path)->files, (std::set<std::string>{"a.csv", "manifest.json", "pictures/a.png"}));
   EXPECT_EQ(read_manifest(folder.path)->exit_reason, "done");

@@ -30,11 +30,11 @@ namespace
   void run(const std::filesystem::path &folder, const std::string &scene, const std::string &name, const bool overwrite = false)
   {
     const RunFolder    place(folder);
-    const OutputFolder outputs = place.begin(scene, overwrite, {});
+    const OutputFolder outputs = place.begin(scene, overwrite, {"", scene, "", "", {}});
     outputs.note("fields-*.vtu");
     std::ofstream(folder / "fields-0012.vtu") << "field";
     CsvFile(outputs, name, {"Time [s]"}).row(std::vector<double>{1});
-    write_manifest(outputs, {}, "done");
+    write_manifest(outputs, {"", scene, "", "", {}}, "done");
   }
 
   bool is_in(const test::Folder &folder, const std::string &name) { return std::filesystem::exists(folder.path / name); }

@@ -15,6 +15,7 @@ namespace myolines
   struct RunRecord
   {
     std::string                        command_line;
+    std::string                        scene;   ///< its file
     std::string                        started; ///< as iso8601_now() gives it
     std::string                        resumed; ///< from what; "" if the run began at its start
     std::map<std::string, std::string> inputs;  ///< files that it reads, with their checksums (CRC-32)
@@ -31,6 +32,7 @@ namespace myolines
   {
     std::set<std::string> files; ///< names relative to the folder, and patterns of OutputFolder::note()
     std::string           exit_reason;
+    std::string           scene;              ///< its file; "" if the manifest does not say
     bool                  lists_files = true; ///< versions before 0.2 did not
   };
   std::optional<Manifest> read_manifest(const std::filesystem::path &folder);

@@ -18,17 +18,20 @@ namespace myolines
 
     const std::filesystem::path &path() const { return path_; }
 
-    /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones. Writes the manifest of the
-    /// run, as running, before anything else.
-    /// @throws InputError if these are of another scene than @p resolved and not to @p overwrite, or a file is not of a run.
+    /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones. Results of the same scene
+    /// with other values are moved to the folder earlier-1 (or -2, ...) in this one, unless they are to @p overwrite. Writes the manifest
+    /// of the run, as running, before anything else.
+    /// @throws InputError if these are of another scene and not to @p overwrite, or a file is not of a run.
     OutputFolder begin(const std::string &resolved, bool overwrite, const RunRecord &record) const;
 
     /// For a run that goes on with what it @p saved.
     OutputFolder resume(const std::string &resolved, const Archive &saved) const;
 
   private:
-    void refuse_other_results(const std::string &resolved, bool overwrite) const;
-    void remove_old_results() const;
+    bool                               has_other_results(const std::string &resolved) const;
+    std::vector<std::filesystem::path> old_results() const;
+    void                               remove_old_results() const;
+    void                               move_old_results() const;
 
     std::filesystem::path   path_;
     std::optional<FileLock> lock_; ///< on the rank that writes
