@@ -30,9 +30,10 @@ namespace myolines
   /// Of problems that do not tell the size of their forces the tolerance is relative to where the solve began.
   double Newton::tolerance(const Evaluation &evaluation) const
   {
+    constexpr double units = 16; // of rounding, as the resolution of a stage
     const bool   sized    = evaluation.forces > 0 || evaluation.rounding > 0;
     const double absolute = problem_.has_unit_of_residual() ? options_.absolute_tolerance.value_or(sized ? 0 : 1e-10) : 0;
-    return std::max({options_.relative_tolerance * (sized ? evaluation.forces : report_.initial_residual), absolute, evaluation.rounding});
+    return std::max({options_.relative_tolerance * (sized ? evaluation.forces : report_.initial_residual), absolute, units * evaluation.rounding});
   }
 
   bool Newton::begin(Iterate &at)
