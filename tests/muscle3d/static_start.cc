@@ -108,7 +108,7 @@ namespace myolines
       BoundaryCondition held;
       held.name  = "held";
       p.boundary = {held};
-      test::Simulation whole(p), parts(p, {"relative tolerance=1e-10", "maximum iterations=7"});
+      test::Simulation whole(p), parts(p, {"relative tolerance=1e-10", "maximum iterations=4"});
       start_from_equilibrium(context(whole), whole.state);
       start_from_equilibrium(context(parts), parts.state);
       EXPECT_GT(parts.solvers.ledger.counted("load steps"), 2u);
