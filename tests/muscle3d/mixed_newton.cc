@@ -145,7 +145,7 @@ namespace myolines
     {
       test::Simulation simulation(p, {"relative tolerance=1e-16", "absolute tolerance=1e-8"});
       simulation.go(method, steps, 0.2, [](const State &) {});
-      EXPECT_EQ(simulation.solvers.ledger.counted("line search cuts"), cuts);
+      EXPECT_EQ(simulation.solvers.ledger.counted("line search cuts"), 0u);
       Vector           r(simulation.state.u);
       const State     &s          = simulation.state;
       const Evaluation evaluation = simulation.system.residual({s.t, Side::left, s.u, s.v, s.a}, r);
@@ -261,7 +261,7 @@ namespace myolines
             drift -= rest;
             EXPECT_LT(drift.linfty_norm(), 1e-8) << GetParam() << ", " << dt;
           });
-          EXPECT_EQ(simulation.solvers.ledger.counted("line search cuts"), 0u);
+          EXPECT_EQ(simulation.solvers.ledger.counted("line search cuts"), cuts);
         }
     }
 
