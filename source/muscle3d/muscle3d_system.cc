@@ -150,7 +150,8 @@ namespace myolines
     const CellSweep               cells = sweep();
     const KernelModel             model = kernel_model(parameters_, {});
     LocalUnknowns                 z;
-    z.values.resize_fast(d.batches->n_batches() * size_of_local());
+    // never empty: a rank without cells goes the way of all others
+    z.values.resize_fast(std::max<std::size_t>(1, d.batches->n_batches() * size_of_local()));
     for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
       d.kernels.local(d.tables, model, cells.cells(b), current.begin(), &z.values[b * size_of_local()], d.scratch());
     return z;
