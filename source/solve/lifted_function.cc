@@ -1,3 +1,4 @@
+#include <myolines/algebra/norm.h>
 #include <myolines/solve/lifted_function.h>
 
 #include <algorithm>
@@ -22,16 +23,7 @@ namespace myolines
     return constraints_ == &problem.constraints() && gap_.get_partitioner() == x.get_partitioner();
   }
 
-  /// l2 norm over all ranks; unlike that of the vector class it may be NaN in builds with assertions.
-  double LiftedFunction::norm(const Vector &x) const
-  {
-    double sum = 0;
-    for (const double entry : x)
-      sum += entry * entry;
-    return std::sqrt(dealii::Utilities::MPI::sum(sum, x.get_mpi_communicator()));
-  }
-
-  void LiftedFunction::set_norm(Iterate &at) const { at.norm = std::hypot(norm(at.g), at.evaluation.local); }
+  void LiftedFunction::set_norm(Iterate &at) const { at.norm = std::hypot(norm_or_nan(at.g), at.evaluation.local); }
 
   void LiftedFunction::set_gap(const NonlinearProblem &problem, const Vector &x)
   {
@@ -95,7 +87,7 @@ namespace myolines
     at.stamp      = new_stamp();
     at.remaining  = 0;
     set_gap(problem, at.x);
-    const bool finite = std::isfinite(norm(gap_)), rounding = finite && gap_.linfty_norm() <= problem.resolution();
+    const bool finite = std::isfinite(norm_or_nan(gap_)), rounding = finite && gap_.linfty_norm() <= problem.resolution();
     if (rounding)
       {
         problem.impose(at.x);
@@ -158,7 +150,7 @@ namespace myolines
               right_ += rate_lift_;
           }
         free_.condense(right_);
-        share = std::min(1., at.norm / norm(right_));
+        share = std::min(1., at.norm / norm_or_nan(right_));
       }
     else
       right_ = at.g;
@@ -180,6 +172,6 @@ namespace myolines
     if (!evaluation.admissible)
       return std::numeric_limits<double>::infinity();
     free_.condense(true_);
-    return norm(true_);
+    return norm_or_nan(true_);
   }
 } // namespace myolines

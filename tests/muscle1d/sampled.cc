@@ -1,3 +1,4 @@
+#include "../support/complaint.h"
 #include "../support/temporary.h"
 #include "run.h"
 
@@ -41,18 +42,7 @@ namespace
     const std::filesystem::path path;
   };
 
-  std::string complaint(const std::function<void()> &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
+  using test::complaint;
 } // namespace
 
 TEST(SampledDrive, splineConvergesWithOrderFourInside)

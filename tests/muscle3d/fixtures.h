@@ -25,6 +25,16 @@ namespace myolines::test
     double value_;
   };
 
+  /// The ends of a block along x, both held.
+  inline std::vector<BoundaryCondition> held_ends()
+  {
+    BoundaryCondition left, right;
+    left.name  = "fixed end";
+    right.name = "moving end";
+    right.face = 1;
+    return {right, left};
+  }
+
   /// A small pennate block, fully active, no boundary conditions.
   inline Muscle3dParameters small_block(const unsigned int degree = 2, const unsigned int n_points = 3, const unsigned int refinement = 1)
   {

@@ -1,5 +1,6 @@
 // Newton's method with pressure and dilatation as iterates: the solution is that of the condensed system, the way there does not know
 // the bulk modulus.
+#include "../support/drives.h"
 #include "bar.h"
 #include "simulation.h"
 
@@ -11,33 +12,15 @@ namespace myolines
 {
   namespace
   {
-    class Slope : public Drive
-    {
-    public:
-      explicit Slope(const double rate)
-        : rate_(rate)
-      {}
-      double              value(double t, Side) const override { return rate_ * t; }
-      double              first_derivative(double, Side) const override { return rate_; }
-      double              second_derivative(double, Side) const override { return 0; }
-      std::vector<double> kinks(double, double) const override { return {}; }
-
-    private:
-      double rate_;
-    };
-
     /// A pennate block that is activated between two held ends.
     Muscle3dParameters contracting(const double bulk, const unsigned int refinement = 1, const unsigned int degree = 2)
     {
       Muscle3dParameters p       = test::small_block(degree, degree + 1, refinement);
       p.muscle().fibre.direction = {{std::sqrt(0.75), 0, 0.5}};
       p.muscle().bulk_modulus    = bulk;
-      p.activation               = std::make_shared<Slope>(4.);
-      BoundaryCondition left, right;
-      left.name  = "fixed end";
-      right.name = "moving end";
-      right.face = 1;
-      p.boundary = {right, left};
+      p.activation = std::make_shared<myolines::testing::SmoothDrive>([](double t) { return 4 * t; }, [](double) { return 4.; },
+                                                                      [](double) { return 0.; });
+      p.boundary   = test::held_ends();
       return p;
     }
 

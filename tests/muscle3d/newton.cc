@@ -21,11 +21,7 @@ namespace myolines
       Muscle3dParameters p       = test::small_block(2, 5, 2);
       p.muscle().fibre.direction = {{std::sqrt(0.75), 0, 0.5}};
       p.activation               = std::make_shared<Ramp>();
-      BoundaryCondition left, right;
-      left.name  = "fixed end";
-      right.name = "moving end";
-      right.face = 1;
-      p.boundary = {right, left};
+      p.boundary                 = test::held_ends();
       return p;
     }
 

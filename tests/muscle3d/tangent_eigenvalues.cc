@@ -12,11 +12,7 @@ namespace myolines
     {
       Muscle3dParameters p = test::small_block();
       p.activation         = std::make_shared<test::ConstantDrive>(activation);
-      BoundaryCondition left, right;
-      left.name  = "fixed end";
-      right.name = "moving end";
-      right.face = 1;
-      p.boundary = {right, left};
+      p.boundary           = test::held_ends();
       return p;
     }
 

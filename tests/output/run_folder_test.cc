@@ -5,6 +5,7 @@
 #include <myolines/output/manifest.h>
 #include <myolines/output/run_folder.h>
 
+#include "../support/complaint.h"
 #include "folder.h"
 
 #include <sys/wait.h>
@@ -13,18 +14,7 @@ using namespace myolines;
 
 namespace
 {
-  std::string complaint(const std::function<void()> &action)
-  {
-    try
-      {
-        action();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "";
-  }
+  using test::complaint;
 
   /// A run that writes the table @p name, as the program would.
   void run(const std::filesystem::path &folder, const std::string &scene, const std::string &name, const bool overwrite = false)

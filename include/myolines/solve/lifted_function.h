@@ -81,7 +81,6 @@ namespace myolines
     void   set_gap(const NonlinearProblem &problem, const Vector &x);
     void   linearise(NonlinearProblem &problem, const Iterate &at);
     void   add_lift(NonlinearProblem &problem, Iterate &at);
-    double norm(const Vector &x) const;
     void   set_norm(Iterate &at) const;
 
     const Constraints *constraints_;
