@@ -98,7 +98,7 @@ namespace
       command("step_below_rounding", "check scene.xml --set time/step=1e-320", "below the rounding of the times"),
       command("step_below_rounding_in_a_run", "run scene.xml --set time/step=1e-17", "below the rounding of the times"),
       command("folder_as_scene", "run .", "it is a folder, not a file"),
-      command("device_as_scene", "run /dev/null", "the file is empty"),
+      command("device_as_scene", "run /dev/null", "it is a device, not a file"),
       command("plot_of_a_file", "plot scene.xml", "it is a file, not a folder"),
       command("modes_along_nowhere", "modes scene.xml --along nowhere", "there is no such folder"),
       command("modes_into_nowhere", "modes scene.xml --out nowhere/modes.csv", "a file that can be made and written"),
