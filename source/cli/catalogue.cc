@@ -3,6 +3,7 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/muscle1d/isometric_chain.h>
 #include <myolines/muscle1d/muscle_tendon_unit.h>
+#include <myolines/muscle3d/body_facts.h>
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
@@ -36,8 +37,13 @@ namespace myolines
       std::vector<std::string> plan       = system->plan();
       plan.push_back("cells: " + std::to_string(system->n_cells()));
 
-      AssembledSystem assembled = assemble(std::move(system), ledger);
-      assembled.plan            = std::move(plan);
+      const std::string why_no_line = system->line_of_action().why_none;
+      AssembledSystem   assembled   = assemble(std::move(system), ledger);
+      assembled.plan                = std::move(plan);
+      assembled.measure = [&body = dynamic_cast<const Muscle3dSystem &>(*assembled.system)] { return body_facts(body); };
+      if (!why_no_line.empty())
+        assembled.warnings.push_back("there is no line of action: " + why_no_line +
+                                     "; forces, lengths and means along it are left out. A list \"line of action\" in \"system\" gives one");
       if (parameters.dynamic && parameters.degree == 2 && parameters.n_points < 4)
         assembled.warnings.push_back("dynamic runs of degree 2 want at least 4 quadrature points per direction, this scene has " +
                                      std::to_string(parameters.n_points));

@@ -81,6 +81,9 @@ namespace myolines
     out << "System: " << type << "\n  unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
     for (const std::string &line : experiment.assembled().plan)
       out << "  " << line << "\n";
+    if (experiment.assembled().measure)
+      for (const std::string &line : experiment.assembled().measure())
+        out << "  " << line << "\n";
     print_skipped_outputs(experiment.scene().section("output"), system_entry(type, "").output, out);
     for (const std::string &line : experiment.solver_plan())
       out << "  " << line << "\n";

@@ -246,6 +246,9 @@ namespace myolines
       settings.push_back({"system/geometry/file", std::filesystem::proximate(options.mesh, options.scene.parent_path()).string()});
       settings.push_back({"system/geometry/scale", format_number(peer.positive("Geometry", "Grid scale"))});
       settings.push_back({"system/geometry/refinement", std::to_string(peer.integer("Geometry", "Global refinement", 0, 8))});
+      settings.push_back({"system/line of action/from", options.ends[0]});
+      settings.push_back({"system/line of action/to", options.ends[1]});
+      settings.push_back({"system/line of action/direction", "1 0 0"});
     }
 
     void add_geometry(Settings &settings, const PeerParameters &peer, std::ostream &out)

@@ -3,6 +3,8 @@
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/surface_forces.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <limits>
 #include <set>
 
@@ -10,34 +12,31 @@ namespace myolines
 {
   namespace
   {
-    /// Whether points or cells are in the slab X_1 in [3/8 L, 5/8 L].
+    constexpr double slack = 1e-12; // of the length, for points at the border of the slab
+
+    /// Whether points or cells are in the slab; none is where there is no line of action.
     class Slab
     {
     public:
       Slab(const Muscle3dSystem &system, const SlabRule rule)
-        : length_(system.parameters().geometry.size[0])
-        , start_(system.parameters().geometry.start())
+        : line_(system.line_of_action().line)
         , rule_(rule)
         , element_(system.discretisation().element)
       {}
 
       bool contains(const NodeSpace::Cell &cell, const int q) const
       {
+        if (!line_)
+          return false;
         if (rule_ == SlabRule::whole_cells)
-          return inside(cell->center()[0], 0.); // exact comparison, as the peer
-        return inside(point_position(element_, cell, q)[0], 1e-12 * length_);
+          return line_->in_slab(cell->center(), 0.); // exact comparison, as the peer
+        return line_->in_slab(point_position(element_, cell, q), slack);
       }
 
     private:
-      bool inside(const double position, const double tolerance) const
-      {
-        const double x = position - start_;
-        return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance;
-      }
-
-      double         length_, start_;
-      SlabRule       rule_;
-      const Element &element_;
+      const std::optional<LineOfAction> &line_;
+      SlabRule                           rule_;
+      const Element                     &element_;
     };
 
     void add_active_powers(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, Powers &powers)
@@ -166,29 +165,53 @@ namespace myolines
     return powers;
   }
 
-  MiddleSize measure_middle(const Muscle3dSystem &system, const State &state)
+  MiddleSize measure_middle(const Muscle3dSystem &system, const State &state, const Vector3 &thickness)
   {
-    const NodeSpace      &space  = *system.discretisation().space;
-    const Geometry       &body   = system.parameters().geometry;
-    const double          length = body.size[0];
-    std::array<double, 4> far{}; // -min and max along y, along z
+    const NodeSpace             &space = *system.discretisation().space;
+    const LineOfAction          &line  = system.line_of_action().line.value();
+    const std::array<Vector3, 2> across{{cross_product_3d(thickness, line.direction), thickness}};
+    std::array<double, 4>        far{}; // -min and max along the width, along the thickness
     far.fill(std::numeric_limits<double>::lowest());
     for (const auto node : space.nodes().locally_owned_dofs())
-      {
-        const dealii::Point<3> &X = space.node_position(node);
-        const double            x = X[0] - body.start();
-        if (x < 3. / 8 * length * (1 - 1e-12) || x > 5. / 8 * length * (1 + 1e-12))
-          continue;
-        for (unsigned int c = 0; c < 2; ++c)
-          {
-            const double place = X[c + 1] + state.u(3 * node + c + 1);
-            far[2 * c]         = std::max(far[2 * c], -place);
-            far[2 * c + 1]     = std::max(far[2 * c + 1], place);
-          }
-      }
+      if (const dealii::Point<3> &X = space.node_position(node); line.in_slab(X, slack))
+        {
+          const Vector3 x = X + Vector3({state.u(3 * node), state.u(3 * node + 1), state.u(3 * node + 2)});
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              far[2 * c]     = std::max(far[2 * c], -(x * across[c]));
+              far[2 * c + 1] = std::max(far[2 * c + 1], x * across[c]);
+            }
+        }
     for (double &x : far)
       x = dealii::Utilities::MPI::max(x, space.communicator());
     return {far[0] + far[1], far[2] + far[3]};
+  }
+
+  std::optional<Vector3> thickness_direction(const Muscle3dSystem &system)
+  {
+    const std::optional<LineOfAction> &line = system.line_of_action().line;
+    if (!line || line->thickness)
+      return line ? line->thickness : std::nullopt;
+    State still = system.initial_state(0);
+    still.u     = 0;
+    const Slab                    slab(system, SlabRule::quadrature_points);
+    dealii::SymmetricTensor<2, 3> leaning; // int b (x) b over the slab, b the part of the fibre direction across the line
+    double                        volume = 0;
+    PointStates(system, still).for_each([&](const NodeSpace::Cell &cell, const int q, const PointState &p) {
+      if (p.material_id != muscle_id || !slab.contains(cell, q))
+        return;
+      const Vector3 b = p.fibre - (p.fibre * line->direction) * line->direction;
+      leaning += p.JxW * symmetrize(outer_product(b, b));
+      volume += p.JxW;
+    });
+    leaning = dealii::Utilities::MPI::sum(leaning, system.discretisation().communicator);
+    volume  = dealii::Utilities::MPI::sum(volume, system.discretisation().communicator);
+    const auto       modes    = dealii::eigenvectors(leaning); // descending
+    constexpr double least    = 3e-4;                          // sine squared of a degree
+    constexpr double distinct = 0.9;
+    if (!(modes[0].first > least * volume) || modes[1].first > distinct * modes[0].first)
+      return std::nullopt;
+    return modes[0].second;
   }
 
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state)

@@ -2,6 +2,7 @@
 #include <myolines/muscle3d/boundary.h>
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/formula.h>
+#include <myolines/muscle3d/line_of_action.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,6 +79,49 @@ namespace myolines
           }
     }
 
+    void add_direction(Schema &schema, const std::string &doc)
+    {
+      schema.optional_text("direction", doc + "; normalised. Default: x for a block and the idealised gastrocnemius; of a mesh the line of "
+                                              "action, towards this face from the other end.");
+    }
+
+    /// Where the scene gives one.
+    void read_own_direction(const Node &node, BoundaryCondition &condition)
+    {
+      if (node.has("direction"))
+        condition.direction = read_direction(node, "direction");
+    }
+
+    bool has_direction(const BoundaryCondition &condition)
+    {
+      return condition.type == BoundaryCondition::Type::strain || condition.type == BoundaryCondition::Type::directed_traction ||
+             condition.moves_as_one();
+    }
+
+    /// Of a condition of a mesh, whose axes mean nothing.
+    std::array<double, 3> default_direction(const Node &node, const LineChoice &choice, const unsigned int face)
+    {
+      const bool at_end = choice.line && (face == choice.line->from || face == choice.line->to);
+      if (!at_end)
+        node.refuse("direction", "is missing, and the face is at no end of a line of action from which it could follow",
+                    "three numbers separated by spaces", "from the other end of the muscle towards this one, as a rule");
+      const double sense = face == choice.line->to ? 1 : -1;
+      return {{sense * choice.line->direction[0], sense * choice.line->direction[1], sense * choice.line->direction[2]}};
+    }
+
+    /// Extent of the body at rest along a unit vector [m].
+    double extent_along(const Geometry &geometry, const std::array<double, 3> &direction)
+    {
+      double low = BoundaryCondition::infinity, high = -BoundaryCondition::infinity;
+      for (const dealii::Point<3> &x : corners(geometry))
+        {
+          const double s = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
+          low            = std::min(low, s);
+          high           = std::max(high, s);
+        }
+      return high - low;
+    }
+
     /// Loads with one number, springs and constraints.
     void read_other(const Node &node, const std::string &type, BoundaryCondition &condition)
     {
@@ -106,7 +150,7 @@ namespace myolines
             }
         }
       if (condition.type == Type::directed_traction || condition.moves_as_one())
-        condition.direction = read_direction(node, "direction");
+        read_own_direction(node, condition);
       if (condition.moves_as_one())
         condition.held_across = node.text("across") == "held";
       if (condition.type == Type::foundation)
@@ -142,15 +186,10 @@ namespace myolines
         read_box(node, condition);
       if (type == "strain")
         {
-          condition.type             = BoundaryCondition::Type::strain;
-          condition.direction        = read_direction(node, "direction");
-          condition.reference_length = node.has("reference length") ? node.number("reference length") : geometry.size[0];
-          condition.strain           = make_drive(node.section("strain"));
+          condition.type = BoundaryCondition::Type::strain;
+          read_own_direction(node, condition);
+          condition.strain = make_drive(node.section("strain"));
           refuse_values_outside(node.section("strain"), *condition.strain, Range{-1, 1e9, true, false}, "boundary strain");
-          for (unsigned int c = 0; c < 3; ++c)
-            if (condition.direction[c] != 0 && !condition.components[c])
-              node.refuse("direction", std::string("the motion has a component ") + axes[c] + " that is not prescribed",
-                          "a direction within the components", std::string("add ") + axes[c] + " to \"components\"");
         }
       else if (type == "formula")
         {
@@ -169,6 +208,21 @@ namespace myolines
       else if (type != "fixed")
         read_other(node, type, condition);
       return condition;
+    }
+
+    /// What follows from the directions of all conditions.
+    void finish(const Node &node, const Geometry &geometry, const LineChoice &line, BoundaryCondition &condition)
+    {
+      if (geometry.gmsh && has_direction(condition) && !node.has("direction"))
+        condition.direction = default_direction(node, line, condition.face);
+      if (condition.type != BoundaryCondition::Type::strain)
+        return;
+      condition.reference_length =
+          node.has("reference length") ? node.number("reference length") : extent_along(geometry, condition.direction);
+      for (unsigned int c = 0; c < 3; ++c)
+        if (condition.direction[c] != 0 && !condition.components[c])
+          node.refuse("direction", std::string("the motion has a component ") + axes[c] + " that is not prescribed",
+                      "a direction within the components", std::string("add ") + axes[c] + " to \"components\"");
     }
 
     void refuse_overlaps(const Node &node, const std::vector<BoundaryCondition> &conditions, const std::vector<std::string> &faces)
@@ -223,10 +277,11 @@ namespace myolines
     fixed.text("components", "x y z", components);
 
     Schema strain("The face moves by reference length * strain(t) along a direction; prescribed components across it stay zero.");
-    strain.text("components", "x y z", components)
-        .text("direction", "1 0 0", "Direction of the motion; normalised.")
+    strain.text("components", "x y z", components);
+    add_direction(strain, "Direction of the motion");
+    strain
         .optional_number("reference length", "m", Range::positive(),
-                         "Length that the strain refers to; default: length of the body along x.")
+                         "Length that the strain refers to; default: that of the body along the direction.")
         .section("strain", drive_schema("boundary strain", "-"));
 
     Schema formula("The face moves by a displacement u(X, t) given by formulas, together with its time derivatives.");
@@ -248,7 +303,7 @@ namespace myolines
     add_box(pressure);
 
     Schema directed = load(Schema("A dead load along a direction, per reference area."), "traction", "Pa", "Force per reference area.");
-    directed.text("direction", "1 0 0", "Direction of the load; normalised.");
+    add_direction(directed, "Direction of the load");
     add_box(directed);
 
     Schema follower = load(Schema("A pressure on the face as it moves: the force -p n per current area turns and grows with it."),
@@ -264,8 +319,8 @@ namespace myolines
     const Schema symmetry("The face, a plane of any direction, moves only within its plane: the body goes on behind it as in a mirror.");
 
     const auto as_one = [](Schema schema) {
-      schema.text("direction", "1 0 0", "Direction n along which the face moves as one; normalised.")
-          .choice("across", "free", {"free", "held"}, "Whether points of the face may move across n.");
+      add_direction(schema, "Direction n along which the face moves as one");
+      schema.choice("across", "free", {"free", "held"}, "Whether points of the face may move across n.");
       return schema;
     };
     Schema isotonic = load(as_one(Schema("The face moves as one along a direction, as far as a given force takes it.")), "force", "N",
@@ -300,11 +355,14 @@ namespace myolines
         .named_sections(each);
   }
 
-  std::vector<BoundaryCondition> read_boundary(const Node &node, const Geometry &geometry, const bool dynamic)
+  std::vector<BoundaryCondition> read_boundary(const Node &node, const Geometry &geometry, const LineGiven &given, const bool dynamic)
   {
     std::vector<BoundaryCondition> conditions;
     for (const Node &condition : node.named())
       conditions.push_back(read_condition(condition, geometry, dynamic));
+    const LineChoice line = find_line_of_action(given, geometry, conditions);
+    for (std::size_t i = 0; i < conditions.size(); ++i)
+      finish(node.named()[i], geometry, line, conditions[i]);
     refuse_overlaps(node, conditions, face_names(geometry));
     return conditions;
   }

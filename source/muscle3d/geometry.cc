@@ -2,6 +2,7 @@
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/geometry.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -172,10 +173,57 @@ namespace myolines
     return geometry.gmsh ? geometry.gmsh->face_names : geometry.gastrocnemius ? of_gastrocnemius : of_block;
   }
 
+  std::vector<dealii::Point<3>> corners(const Geometry &geometry)
+  {
+    if (geometry.gmsh)
+      return geometry.gmsh->vertices;
+    std::vector<dealii::Point<3>> corners;
+    const auto                   &n = geometry.cells;
+    for (const unsigned int k : {0u, 1u})
+      for (const unsigned int j : {0u, 1u})
+        for (const unsigned int i : {0u, 1u})
+          corners.push_back(geometry.gastrocnemius ? corner(*geometry.gastrocnemius, i * n[0], j * n[1], k * n[2], n[2])
+                                                   : dealii::Point<3>(i * geometry.size[0], j * geometry.size[1], k * geometry.size[2]));
+    return corners;
+  }
+
+  namespace
+  {
+    /// Integrals over the bilinear quadrilateral of four vertices, row by row: area and first moments.
+    void add_moments(const std::array<dealii::Point<3>, 4> &v, double &area, dealii::Tensor<1, 3> &moment)
+    {
+      const dealii::QGauss<2> rule(3);
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        {
+          const double x = rule.point(q)[0], y = rule.point(q)[1];
+          const auto   along  = (1 - y) * (v[1] - v[0]) + y * (v[3] - v[2]);
+          const auto   across = (1 - x) * (v[2] - v[0]) + x * (v[3] - v[1]);
+          const double dA     = cross_product_3d(along, across).norm() * rule.weight(q);
+          area += dA;
+          moment += dA * ((1 - x) * (1 - y) * v[0] + x * (1 - y) * v[1] + (1 - x) * y * v[2] + x * y * v[3]);
+        }
+    }
+
+    dealii::Point<3> centre_of_mesh_face(const GmshBody &body, const unsigned int face)
+    {
+      double               area = 0;
+      dealii::Tensor<1, 3> moment;
+      for (const dealii::CellData<2> &quad : body.faces.boundary_quads)
+        if (quad.boundary_id == face)
+          {
+            std::array<dealii::Point<3>, 4> corner;
+            for (unsigned int i = 0; i < 4; ++i)
+              corner[i] = body.vertices[quad.vertices[i]];
+            add_moments(corner, area, moment);
+          }
+      return dealii::Point<3>(moment / area);
+    }
+  } // namespace
+
   dealii::Point<3> face_centre(const Geometry &geometry, const unsigned int face)
   {
     if (geometry.gmsh)
-      return geometry.gmsh->face_centres.at(face);
+      return centre_of_mesh_face(*geometry.gmsh, face);
     dealii::Point<3> centre(geometry.size[0] / 2, geometry.size[1] / 2, geometry.size[2] / 2);
     if (!geometry.gastrocnemius)
       {

@@ -3,6 +3,7 @@
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/measurements.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/grid_tools.h>
 
@@ -14,6 +15,17 @@ namespace myolines
     std::vector<dealii::types::global_dof_index> nodes;
     std::vector<double>                          weights;
   };
+
+  namespace
+  {
+    std::string extent(const Geometry &geometry)
+    {
+      const dealii::BoundingBox<3> box(corners(geometry));
+      std::ostringstream           text;
+      text << "the body reaches from (" << box.get_boundary_points().first << ") to (" << box.get_boundary_points().second << ") m";
+      return text.str();
+    }
+  } // namespace
 
   MarkerProbe::MarkerProbe(const Muscle3dSystem &system, std::vector<Marker> markers, const std::string &where)
     : system_(system)
@@ -45,10 +57,7 @@ namespace myolines
             std::ostringstream position;
             position << marker.position;
             problems.push_back({where, "marker \"" + marker.name + "\" at (" + position.str() + ") m lies outside the body",
-                                "a point of the reference body",
-                                "the block spans 0 to " + std::to_string(system.parameters().geometry.size[0]) + ", " +
-                                    std::to_string(system.parameters().geometry.size[1]) + ", " +
-                                    std::to_string(system.parameters().geometry.size[2]) + " m"});
+                                "a point of the reference body", extent(system.parameters().geometry)});
           }
         places_.push_back(lowest == owner ? place : nullptr);
       }

@@ -15,6 +15,7 @@ namespace myolines
 
   Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, std::shared_ptr<Muscle3dDiscretisation> discretisation, WorkLedger &ledger)
     : parameters_(std::move(parameters))
+    , line_(find_line_of_action(parameters_.line, parameters_.geometry, parameters_.boundary))
     , ledger_(ledger)
     , discretisation_(std::move(discretisation))
     , materials_(std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,

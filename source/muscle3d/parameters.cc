@@ -32,7 +32,7 @@ namespace myolines
     {
       Schema angle("a0 = (cos, 0, sin) of the angle, in the x-z plane.");
       angle.optional_number("angle", "degree", Range::closed(-90, 90),
-                            "Pennation angle at rest, from x towards z; default: that of the geometry, 0 for a block.");
+                            "Pennation angle at rest, from x towards z; default: that of the geometry, 0 for a block; of a mesh: along the line of action.");
       Schema direction("a0 along a given vector, normalised.");
       direction.number("x", 1, "-", Range::any(), "x component.")
           .number("y", 0, "-", Range::any(), "y component.")
@@ -58,21 +58,30 @@ namespace myolines
       return between;
     }
 
-    /// Direction of the muscle fibres.
-    std::array<double, 3> read_fibre_direction(const Node &fibres, const Geometry &geometry)
+    /// Direction of the muscle fibres where nothing in the body says otherwise.
+    std::array<double, 3> read_fibre_direction(const Node &fibres, const Muscle3dParameters &p, const LineChoice &line)
     {
-      if (fibres.text("type") == "direction")
+      const std::string type = fibres.text("type");
+      if (type == "direction")
         return unit_vector({{fibres.number("x"), fibres.number("y"), fibres.number("z")}}, fibres, "type");
-      if (fibres.text("type") == "pennation angle" && fibres.has("angle"))
+      if (type == "pennation angle" && fibres.has("angle"))
         {
           const double angle = fibres.number("angle") * dealii::numbers::PI / 180;
           return {{std::cos(angle), 0, std::sin(angle)}};
         }
-      return geometry.gastrocnemius ? geometry.gastrocnemius->fibre_direction() : std::array<double, 3>{{1, 0, 0}};
+      if (p.geometry.gastrocnemius)
+        return p.geometry.gastrocnemius->fibre_direction();
+      const bool elsewhere = type != "pennation angle" || (p.fields.table && p.fields.table->has_directions());
+      if (!p.geometry.gmsh || (elsewhere && !line.line))
+        return {{1, 0, 0}};
+      if (!line.line) // a mesh may lie in any direction; so may its fibres
+        fibres.refuse("type", "the fibres of the mesh have no direction, and there is no line of action that they could follow",
+                      "\"direction\", \"formula\" or \"laplace\", a table in \"system/fields\" with directions, or an \"angle\" from x towards z");
+      return {{line.line->direction[0], line.line->direction[1], line.line->direction[2]}};
     }
 
     /// The tissues that the body has cells of, with their directions.
-    void read_tissues(const Node &system, Muscle3dParameters &p)
+    void read_tissues(const Node &system, const LineChoice &line, Muscle3dParameters &p)
     {
       const Node              &lists   = system.section("tissues");
       std::vector<std::string> of_body = tissues_of(p.geometry);
@@ -82,7 +91,7 @@ namespace myolines
       p.tissues.clear();
       if (lists.has("curves"))
         p.curves = read_curves(lists.section("curves"));
-      const std::array<double, 3> along = read_fibre_direction(system.section("fibres"), p.geometry);
+      const std::array<double, 3> along = read_fibre_direction(system.section("fibres"), p, line);
       for (const TissueKind &kind : tissue_kinds())
         {
           const bool needed = std::find(of_body.begin(), of_body.end(), kind.name) != of_body.end();
@@ -143,6 +152,7 @@ namespace myolines
         .section("fibres", fibres_schema())
         .optional_section("fields", fields_schema())
         .section("boundary", boundary_schema())
+        .optional_section("line of action", line_of_action_schema())
         .optional_section("body force", force);
     add_activation(system);
     return system;
@@ -169,8 +179,14 @@ namespace myolines
       p.fields.direction = read_formulas(system.section("fibres"), "", "volume");
     if (system.section("fibres").text("type") == "laplace")
       p.fields.laplace = read_laplace(system.section("fibres"), p.geometry);
-    read_tissues(system, p);
-    p.boundary = read_boundary(system.section("boundary"), p.geometry, p.dynamic);
+    p.line     = read_line_of_action(system, p.geometry);
+    p.boundary = read_boundary(system.section("boundary"), p.geometry, p.line, p.dynamic);
+
+    const LineChoice line = find_line_of_action(p.line, p.geometry, p.boundary);
+    if (!line.line && system.has("line of action"))
+      system.refuse("line of action", "there is no such line: " + line.why_none,
+                    "two faces \"from\" and \"to\" that are apart, a \"direction\"", "`myolines check` lists the faces");
+    read_tissues(system, line, p);
 
     read_activation(system, p);
     if (system.has("body force"))

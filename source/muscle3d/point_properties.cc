@@ -45,7 +45,7 @@ namespace myolines
 
     std::filesystem::path     file;
     std::vector<Row>          rows;
-    bool                      has_fat, has_matrix;
+    bool                      has_fat, has_matrix, has_directions;
     std::vector<unsigned int> tissues;
     Tree                      tree;
 
@@ -54,6 +54,7 @@ namespace myolines
       , rows(csv.rows.size())
       , has_fat(csv.column("fat_fraction").has_value())
       , has_matrix(csv.column("matrix_fraction").has_value())
+      , has_directions(csv.column(fibre + "x").has_value())
     {
       using scene::Range;
       fill(csv, "max_iso_stress_muscle", Range::not_negative(), [](Row &row, const double x) { row.stress = x; });
@@ -61,7 +62,7 @@ namespace myolines
       fill(csv, "activation_scale", Range::not_negative(), [](Row &row, const double x) { row.activation_scale = x; });
       fill(csv, "matrix_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.matrix = x; });
       fill(csv, "tissue_id", Range::closed(muscle_id, tendon_id), [](Row &row, const double x) { row.tissue = x; });
-      if (csv.column(fibre + "x"))
+      if (has_directions)
         fill_directions(csv);
       fill_tree(csv);
       std::set<unsigned int> all;
@@ -129,6 +130,8 @@ namespace myolines
   bool PointProperties::has_fat() const { return table_->has_fat; }
 
   bool PointProperties::has_matrix() const { return table_->has_matrix; }
+
+  bool PointProperties::has_directions() const { return table_->has_directions; }
 
   const std::vector<unsigned int> &PointProperties::tissues() const { return table_->tissues; }
 

@@ -1,9 +1,12 @@
 #include "point_states.h"
 
+#include <limits>
+
 namespace myolines
 {
   PointStates::PointStates(const Muscle3dSystem &system, const State &state)
     : parameters_(system.parameters())
+    , line_(system.line_of_action().line)
     , d_(system.discretisation())
     , model_(kernel_model(parameters_, {}))
     , sweep_(system.sweep())
@@ -50,7 +53,7 @@ namespace myolines
     p.isochoric_rate        = p.isochoric_stretch * (growth - swelling / 3);
     p.strain_rate           = p.stretch * growth / e0;
     p.isochoric_strain_rate = p.isochoric_rate / e0;
-    p.pennation             = std::acos(std::min(1., std::max(-1., p.fibre[0] / p.stretch))) * 180 / dealii::numbers::PI;
+    p.pennation             = line_ ? line_->angle_to(p.fibre) : std::numeric_limits<double>::quiet_NaN();
     return p;
   }
 

@@ -26,7 +26,7 @@ namespace myolines
     double       isochoric_rate;        ///< lam-dot [1/s]
     double       strain_rate;           ///< d|a|/dt / e0 [-]
     double       isochoric_strain_rate; ///< lam-dot / e0 [-]
-    double       pennation;             ///< angle between a and x [degree], (6.2.24)
+    double       pennation;             ///< angle between a and the line of action [degree], (6.2.24); not a number without one
     unsigned int material_id;
     Material     material;
   };
@@ -57,8 +57,9 @@ namespace myolines
     const Muscle3dDiscretisation &discretisation() const { return d_; }
 
   private:
-    const Muscle3dParameters     &parameters_;
-    const Muscle3dDiscretisation &d_;
+    const Muscle3dParameters          &parameters_;
+    const std::optional<LineOfAction> &line_;
+    const Muscle3dDiscretisation      &d_;
     KernelModel                   model_;
     CellSweep                     sweep_;
     unsigned int                  batch_ = 0;

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -106,6 +107,9 @@ namespace myolines
         , memory_("fields, " + fields.text("format"))
         , ledger_(ledger)
       {
+        if (!system.line_of_action().line && std::count(output_.names.begin(), output_.names.end(), "pennation") > 0)
+          fields.refuse("what", "pennation is the angle to the line of action, which the body does not have: " + system.line_of_action().why_none,
+                        "other fields, or a list \"line of action\" in \"system\"");
         if (fields.text("format") == "hdf5")
           {
             format_ = std::make_unique<Hdf5>();

@@ -25,10 +25,11 @@ namespace myolines
       Schema series("Time series in CSV files; what no file asks for is not measured.");
       series.integer("every", 1, Range::closed(1, 1e9), "A row at the start, after every so many accepted steps, and at the end.")
           .boolean("forces", true,
-                   "force_data-3d.csv: x component of the interior-point estimate (6.2.15) on the force face, by part of the stress.")
+                   "force_data-3d.csv: part along the line of action of the interior-point estimate (6.2.15) of the force on the force face, by "
+                   "part of the stress; reaction.csv has the force that balances the body.")
           .text("force face", moving_face,
                 "Face of force_data-3d.csv, by a name of the geometry; the moving face is that of the first condition of type strain, else "
-                "x+.")
+                "that at the end of the line of action.")
           .boolean("all faces", false, "force_data-3d-NNN.csv: the estimate on all faces, one file per row of the other series.")
           .boolean("reactions", true, "reaction.csv: force with which each prescribed boundary condition pulls on the muscle.")
           .boolean("energies", true, "energy_data-3d.csv: work-like densities (6.2.2)-(6.2.11).")
@@ -37,29 +38,42 @@ namespace myolines
           .boolean("gearing info", true, "gearing_info-3d.csv: velocities behind the gearing; dynamic systems only.")
           .boolean("gearing", false, "gearing.csv: G of (7.2.13) at every row; dynamic systems only.")
           .boolean("shape", false,
-                   "shape.csv: width (y) and thickness (z) of the middle 3/8 L <= X <= 5/8 L, length, volume over that at rest.")
+                   "shape.csv: width and thickness of the slab, length along the line of action, volume over that at rest.")
           .boolean("activation and length", true, "activation_muscle_length-3d.csv.")
           .choice("slab", "quadrature points", {"quadrature points", "whole cells"},
-                  "Points of the slab averages: 3/8 L <= X <= 5/8 L by quadrature point (6.2.20), or by cell centre as Flexodeal does.");
-      add_strain_places(series, "points of the line from the centre of x- to that of x+");
+                  "Points of the slab averages, from 3/8 to 5/8 of the line of action: by quadrature point (6.2.20), or by cell centre as "
+                  "Flexodeal does.")
+          .integer("fascicles", 0, Range::closed(0, 100000),
+                   "fascicles.csv: lengths and shapes of at most so many lines along the fibres, through cells of the slab; 0: no such file.");
+      add_strain_places(series, "points of the line from the centre of the face where the line of action begins to that where it ends");
       add_marker_parameters(series);
       return series;
     }
 
-    unsigned int force_face(const Node &series, const Muscle3dParameters &parameters)
+    std::optional<unsigned int> force_face(const Node &series, const Muscle3dSystem &system)
     {
-      const std::string name = series.text("force face");
-      if (const std::vector<std::string> &faces = face_names(parameters.geometry); name != moving_face)
+      const std::vector<std::string> &faces = face_names(system.parameters().geometry);
+      if (const std::string name = series.text("force face"); name != moving_face)
         {
           const auto found = std::find(faces.begin(), faces.end(), name);
           if (found == faces.end())
             series.refuse("force face", "the body has no face \"" + name + "\"", "one of " + join(faces));
           return static_cast<unsigned int>(found - faces.begin());
         }
-      for (const BoundaryCondition &condition : parameters.boundary)
+      for (const BoundaryCondition &condition : system.parameters().boundary)
         if (condition.type == BoundaryCondition::Type::strain)
           return condition.face;
-      return 1;
+      if (const auto &line = system.line_of_action().line)
+        return line->to;
+      return std::nullopt;
+    }
+
+    /// What is measured along a line of action cannot be without one.
+    void refuse_without_line(const Node &series, const std::string &what, const Muscle3dSystem &system)
+    {
+      if (!system.line_of_action().line)
+        series.refuse(what, "the body has no line of action: " + system.line_of_action().why_none,
+                      "a list \"line of action\" in \"system\", with two faces \"from\" and \"to\"");
     }
 
     std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder)
@@ -68,30 +82,46 @@ namespace myolines
       if (series.boolean("gearing") && !p.dynamic)
         series.refuse("gearing", "a quasi-static system has no velocities", "false, or \"dynamic\" as system/inertia");
 
+      const bool                               line = system.line_of_action().line.has_value();
       std::vector<std::unique_ptr<SeriesFile>> files;
-      if (series.boolean("forces"))
-        files.push_back(force_file(folder, p, force_face(series, p)));
+      if (series.boolean("forces") && line)
+        files.push_back(force_file(folder, system, force_face(series, system).value()));
       if (series.boolean("all faces"))
         files.push_back(all_faces_files(folder, p));
       if (series.boolean("reactions") &&
           std::any_of(p.boundary.begin(), p.boundary.end(), [](const BoundaryCondition &c) { return c.reacts(); }))
-        files.push_back(reaction_file(folder, p));
+        files.push_back(reaction_file(folder, system));
       if (series.boolean("energies"))
         files.push_back(energy_file(folder, p));
       if (series.boolean("energy balance") && p.dynamic)
         files.push_back(energy_balance_file(folder, p));
-      if (series.boolean("stretch and pennation"))
+      if (series.boolean("stretch and pennation") && line)
         files.push_back(stretch_file(folder));
-      if (series.boolean("gearing info") && p.dynamic)
-        files.push_back(gearing_info_file(folder, p));
+      if (series.boolean("gearing info") && p.dynamic && line)
+        files.push_back(gearing_info_file(folder, system));
       if (series.boolean("gearing"))
-        files.push_back(gearing_file(folder, p));
+        {
+          refuse_without_line(series, "gearing", system);
+          files.push_back(gearing_file(folder, system));
+        }
       if (series.boolean("shape"))
-        files.push_back(shape_file(folder, system));
+        {
+          refuse_without_line(series, "shape", system);
+          const auto thickness = thickness_direction(system);
+          if (!thickness)
+            series.refuse("shape", "thickness has no direction: the fibres of the slab do not lean from the line of action, or lean to all sides",
+                          "a \"thickness\" in \"system/line of action\"");
+          files.push_back(shape_file(folder, system, *thickness));
+        }
       if (series.boolean("activation and length"))
-        files.push_back(activation_file(folder, p));
+        files.push_back(activation_file(folder, system));
+      if (const int number = series.integer("fascicles"); number > 0)
+        files.push_back(fascicles_file(folder, system, number));
       if (const std::vector<double> places = read_strain_places(series); !places.empty())
-        files.push_back(strain_file(folder, system, places));
+        {
+          refuse_without_line(series, "strain places", system);
+          files.push_back(strain_file(folder, system, places));
+        }
       if (const std::vector<Marker> markers = read_markers(series); !markers.empty())
         files.push_back(displacements_file(folder, std::make_shared<MarkerProbe>(system, markers, markers_origin(series))));
       return files;
@@ -104,7 +134,7 @@ namespace myolines
         : PeriodicOutput(series.integer("every"))
         , system_(system)
         , slab_(series.text("slab") == "whole cells" ? SlabRule::whole_cells : SlabRule::quadrature_points)
-        , ends_(system, force_face(series, system.parameters()))
+        , ends_(system, force_face(series, system))
         , files_(make_files(series, system, folder))
         , ledger_(ledger)
       {}

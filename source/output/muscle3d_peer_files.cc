@@ -1,3 +1,4 @@
+#include <myolines/muscle3d/fascicles.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/muscle3d_files.h>
 #include <myolines/output/text_file.h>
@@ -149,17 +150,18 @@ namespace myolines
     return std::make_unique<FunctionFile>(folder, name, columns, std::move(values));
   }
 
-  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const Muscle3dParameters &parameters, const unsigned int face)
+  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const Muscle3dSystem &system, const unsigned int face)
   {
-    const PeerParts          parts(parameters);
+    const PeerParts            parts(system.parameters());
+    const dealii::Tensor<1, 3> along = system.line_of_action().line.value().direction;
     std::vector<std::string> columns{"Time [s]"};
     for (const std::string &part : parts.names("Apo"))
       columns.push_back(part + " [N]");
     columns.push_back("Volume [m^3]");
-    return make_series_file(folder, "force_data-3d.csv", columns, [parts, face](const Muscle3dSample &sample) {
+    return make_series_file(folder, "force_data-3d.csv", columns, [parts, face, along](const Muscle3dSample &sample) {
       std::vector<double> row{sample.t()};
       for (const dealii::Tensor<1, 3> &force : parts.values(sample.face_force(face)))
-        row.push_back(force[0]);
+        row.push_back(force * along);
       row.push_back(sample.body().volume);
       return row;
     });
@@ -196,7 +198,7 @@ namespace myolines
                             });
   }
 
-  std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dSystem &system)
   {
     const std::vector<std::string> columns{"Time [s]",
                                            "Prescribed velocity x [m/s]",
@@ -209,8 +211,8 @@ namespace myolines
                                            "Maximum strain rate [1/s]",
                                            "Mean fibre velocity [m/s]",
                                            "Volume slab [m^3]"};
-    const double                   fibre = parameters.fibre_length();
-    const double                   e0    = parameters.muscle().fibre.maximum_strain_rate;
+    const double                   fibre = reference_fibre_length(system);
+    const double                   e0    = system.parameters().muscle().fibre.maximum_strain_rate;
     return make_series_file(folder, "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
       const auto         &v    = body.mean_velocity;
@@ -220,10 +222,10 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder, const Muscle3dSystem &system)
   {
     std::vector<std::string> columns{"Time [s]", "Activation (%)", "Muscle length [m]"};
-    for (const ActivationRegion &region : parameters.regions)
+    for (const ActivationRegion &region : system.parameters().regions)
       columns.push_back("Activation of " + region.name + " (%)");
     return make_series_file(folder, "activation_muscle_length-3d.csv", columns, [](const Muscle3dSample &sample) {
       const Activation    a = sample.activation();

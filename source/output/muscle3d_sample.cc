@@ -1,19 +1,22 @@
 #include <myolines/output/muscle3d_sample.h>
 
+#include <myolines/muscle3d/discretisation.h>
+
+#include <limits>
+
 namespace myolines
 {
-  namespace
+  EndPoints::EndPoints(const Muscle3dSystem &system, const std::optional<unsigned int> force_face)
   {
-    std::vector<Marker> end_markers(const Geometry &body, const unsigned int force_face)
-    {
-      return {{"x-", face_centre(body, 0)}, {"x+", face_centre(body, 1)}, {"force face", face_centre(body, force_face)}};
-    }
-  } // namespace
-
-  EndPoints::EndPoints(const Muscle3dSystem &system, const unsigned int force_face)
-    : probe(system, end_markers(system.parameters().geometry, force_face), "system/geometry")
-    , reference_length(system.parameters().geometry.size[0])
-  {}
+    const NodeSpace &space = *system.discretisation().space;
+    if (const auto &line = system.line_of_action().line)
+      {
+        from.emplace(space, line->from);
+        to.emplace(space, line->to);
+      }
+    if (force_face)
+      this->force_face.emplace(space, *force_face);
+  }
 
   Muscle3dSample::Muscle3dSample(const Muscle3dSystem &system, const State &state, const Side side, const SlabRule slab,
                                  const EndPoints &ends, WorkLedger &ledger)
@@ -71,16 +74,17 @@ namespace myolines
 
   double Muscle3dSample::muscle_length() const
   {
-    const auto moved = ends_.probe.displacements(state_);
-    return ends_.reference_length + moved[1][0] - moved[0][0];
+    const auto &line = system_.line_of_action().line;
+    if (!line)
+      return std::numeric_limits<double>::quiet_NaN();
+    return line->length + (ends_.to->of(state_.u) - ends_.from->of(state_.u)) * line->direction;
   }
 
   double Muscle3dSample::force_face_speed() const
   {
-    // The probe interpolates state.u; a velocity is interpolated the same way.
-    State rates;
-    rates.t = state_.t;
-    rates.u = state_.v;
-    return ends_.probe.displacements(rates)[2][0];
+    const auto &line = system_.line_of_action().line;
+    if (!line || !ends_.force_face)
+      return std::numeric_limits<double>::quiet_NaN();
+    return ends_.force_face->of(state_.v) * line->direction;
   }
 } // namespace myolines

@@ -28,7 +28,7 @@ TEST(AfterloadedContraction, IsIsometricThenIsotonicThenIsometric)
   std::string        line;
   std::getline(lines, line);
   const std::vector<std::string> header = split(line);
-  ASSERT_EQ(header.size(), 8u);
+  ASSERT_EQ(header.size(), 10u);
   ASSERT_EQ(header[4], "load x [N]");
   ASSERT_EQ(header[7], "load stop [N]");
   std::string phases; // s on the stop, f free of it, without repetition

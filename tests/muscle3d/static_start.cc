@@ -10,7 +10,7 @@ namespace myolines
   namespace
   {
     /// The idealised gastrocnemius, passive: its aponeurosis pulls even at rest. Held at its ends.
-    Muscle3dParameters gastrocnemius()
+    Muscle3dParameters resting_gastrocnemius()
     {
       Muscle3dParameters p;
       p.n_points                                = 3;
@@ -39,7 +39,7 @@ namespace myolines
     /// Largest change of the reaction of one end and largest speed within 10 ms, in parts of the reaction and in m/s.
     std::pair<double, double> unrest(const bool from_equilibrium)
     {
-      test::Simulation simulation(gastrocnemius());
+      test::Simulation simulation(resting_gastrocnemius());
       if (from_equilibrium)
         {
           start_from_equilibrium(context(simulation), simulation.state);

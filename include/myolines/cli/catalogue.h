@@ -24,6 +24,8 @@ namespace myolines
 
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
+
+    std::function<std::vector<std::string>()> measure; ///< more lines, which take work; none where there are none
   };
 
   /// How large a system will be, known before it is made.

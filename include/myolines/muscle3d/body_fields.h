@@ -39,6 +39,7 @@ namespace myolines
     std::pair<const Row &, double> nearest(const dealii::Point<3> &x) const;
     bool                           has_fat() const;
     bool                           has_matrix() const; ///< whether it has fractions of extracellular matrix
+    bool                           has_directions() const; ///< of fibres
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;
     const std::filesystem::path     &file() const;

@@ -12,6 +12,8 @@
 
 namespace myolines
 {
+  struct LineGiven;
+
   /// One named boundary condition. Faces are numbered as in the peer.
   struct BoundaryCondition
   {
@@ -72,6 +74,7 @@ namespace myolines
 
   /// Declaration of the list `boundary`, and its reading. @throws InputError for what ranges cannot express (unknown face or
   /// component, a direction of length zero, two conditions that prescribe the same component of the same face, malformed formulas).
+  /// @p given: what the scene says of the line of action, from which directions that it leaves open follow for a mesh.
   scene::Schema                  boundary_schema();
-  std::vector<BoundaryCondition> read_boundary(const scene::Node &node, const Geometry &geometry, bool dynamic);
+  std::vector<BoundaryCondition> read_boundary(const scene::Node &node, const Geometry &geometry, const LineGiven &given, bool dynamic);
 } // namespace myolines

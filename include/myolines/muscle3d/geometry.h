@@ -39,16 +39,16 @@ namespace myolines
     double distortion = 0; ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
     std::optional<Gastrocnemius>    gastrocnemius;
     std::shared_ptr<const GmshBody> gmsh; ///< with neither: a block
-
-    /// Where the body begins along x [m].
-    double start() const { return gmsh ? gmsh->low[0] : 0; }
   };
 
   /// Names of the faces by number. Of a block: x-, x+, y-, y+, z-, z+. Of the gastrocnemius: x- and x+ are the ends of the lower and
   /// of the upper layer, z- and z+ their outsides, "muscle x-" and "muscle x+" the ends of everything else. Of a Gmsh file: its own.
   const std::vector<std::string> &face_names(const Geometry &geometry);
 
-  /// Centre of a face [m]; of a Gmsh file: the vertex nearest to it.
+  /// Points of the body of which it is, or is contained in, the convex hull [m].
+  std::vector<dealii::Point<3>> corners(const Geometry &geometry);
+
+  /// Centre of a face: the mean of its points [m].
   dealii::Point<3> face_centre(const Geometry &geometry, unsigned int face);
 
   /// Tissues (tissue_kinds()) that the cells of the body are made of, by name.

@@ -46,7 +46,7 @@ namespace myolines
     T total() const { return part[volumetric_part] + isochoric(); }
   };
 
-  /// Which points the slab averages use: X_1 in [3/8 L, 5/8 L].
+  /// Which points the slab averages use: those from 3/8 to 5/8 of the line of action, X_1 in [3/8 L, 5/8 L] of the thesis.
   enum class SlabRule
   {
     quadrature_points, ///< by quadrature point, (6.2.20)
@@ -80,7 +80,7 @@ namespace myolines
 
     double               slab_volume      = 0; ///< current [m^3]
     double               mean_stretch     = 0; ///< (6.2.22), |F a0|; means over a slab without a point of muscle are not numbers
-    double               mean_pennation   = 0; ///< (6.2.25) [degree]
+    double               mean_pennation   = 0; ///< (6.2.25), between fibre and line of action, neither with a sense [degree]
     double               mean_strain_rate = 0; ///< (6.2.21), non-dimensional, d|F a0|/dt / e0
     dealii::Tensor<1, 3> mean_velocity;        ///< (6.2.19) [m/s]
 
@@ -91,13 +91,18 @@ namespace myolines
   };
   BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule);
 
-  /// Size of the middle of the body: how far the nodes at rest positions X_1 in [3/8 L, 5/8 L] reach along y and along z [m].
+  /// Size of the middle of the body: how far the nodes of the slab reach across the line of action [m].
   struct MiddleSize
   {
-    double width     = 0; ///< along y
-    double thickness = 0; ///< along z
+    double width     = 0; ///< across line and thickness
+    double thickness = 0;
   };
-  MiddleSize measure_middle(const Muscle3dSystem &system, const State &state);
+  /// @p thickness: unit vector across the line of action, which the system must have.
+  MiddleSize measure_middle(const Muscle3dSystem &system, const State &state, const dealii::Tensor<1, 3> &thickness);
+
+  /// The direction of the thickness: that of the line of action or, where it has none, that in which the fibres of the slab lean from the
+  /// line at rest; nothing where they do not lean, or lean to all sides. Collective.
+  std::optional<dealii::Tensor<1, 3>> thickness_direction(const Muscle3dSystem &system);
 
   /// Estimate (6.2.15) of the force that acts on @p face from the quadrature points of the cell nearest to it [N].
   Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);

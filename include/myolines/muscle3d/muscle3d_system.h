@@ -53,6 +53,8 @@ namespace myolines
     const Loads                  &loads() const { return *loads_; }
     const SurfaceForces          &surface_forces() const { return *surface_forces_; }
     CellSweep                     sweep() const; ///< of the kernels over the body
+    /// Along which the body is measured.
+    const LineChoice &line_of_action() const { return line_; }
     std::size_t                   n_cells() const;
     /// Activation at time t, 0 without one.
     Activation activation(double t, Side side = Side::left) const { return parameters_.activation_at(t, side); }
@@ -76,6 +78,7 @@ namespace myolines
     std::vector<Split> splits() const;
 
     Muscle3dParameters                      parameters_;
+    LineChoice                              line_;
     WorkLedger                             &ledger_;
     std::shared_ptr<Muscle3dDiscretisation> discretisation_; ///< that of its implicit parts too
     std::unique_ptr<PointMaterials>         materials_;

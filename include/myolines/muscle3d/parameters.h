@@ -4,6 +4,7 @@
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/body_fields.h>
 #include <myolines/muscle3d/boundary.h>
+#include <myolines/muscle3d/line_of_action.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/drive.h>
 
@@ -33,6 +34,7 @@ namespace myolines
     std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}}; ///< of the cells, by material id
     BodyFields                                fields;
     std::vector<BoundaryCondition>            boundary;
+    LineGiven                                 line;       ///< of action, what the scene says of it
     std::shared_ptr<const CurveSet>           curves;     ///< nullptr: those of the thesis
     std::shared_ptr<const Drive>              activation; ///< of all but the regions; nullptr: none
     std::vector<ActivationRegion>             regions;    ///< at most max_regions - 1, places in fields.regions
@@ -50,7 +52,7 @@ namespace myolines
     curves::FibreCurves        fibre_curves() const { return curves ? curves->view() : curves::FibreCurves{}; }
     /// Whether there may be fat somewhere.
     bool has_fat() const { return muscle().fat.fraction != 0 || fields.has_fat(); }
-    /// Length of the longest straight fibre at rest [m], the L_f0 of thesis (7.2.1).
+    /// Length at rest of the longest straight fibre of a block or the idealised gastrocnemius [m], the L_f0 of thesis (7.2.1).
     double fibre_length() const;
   };
 

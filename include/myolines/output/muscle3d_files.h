@@ -30,21 +30,26 @@ namespace myolines
                                                std::function<std::vector<double>(const Muscle3dSample &)> values);
 
   // The peer's files, with its names and columns.
-  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const Muscle3dParameters &parameters, unsigned int face);
+  std::unique_ptr<SeriesFile> force_file(const OutputFolder &folder, const Muscle3dSystem &system, unsigned int face);
   std::unique_ptr<SeriesFile> all_faces_files(const OutputFolder &folder, const Muscle3dParameters &parameters);
   std::unique_ptr<SeriesFile> energy_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
   std::unique_ptr<SeriesFile> stretch_file(const OutputFolder &folder);
-  std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
-  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
+  std::unique_ptr<SeriesFile> gearing_info_file(const OutputFolder &folder, const Muscle3dSystem &system);
+  std::unique_ptr<SeriesFile> activation_file(const OutputFolder &folder, const Muscle3dSystem &system);
   std::unique_ptr<SeriesFile> displacements_file(const OutputFolder &folder, std::shared_ptr<const MarkerProbe> probe);
 
   // Ours.
 
-  /// shape.csv: width and thickness of the middle, length, volume over that at rest.
-  std::unique_ptr<SeriesFile> shape_file(const OutputFolder &folder, const Muscle3dSystem &system);
+  /// shape.csv: width and thickness of the middle, length, volume over that at rest. @p thickness: its unit vector, as measure_middle().
+  std::unique_ptr<SeriesFile> shape_file(const OutputFolder &folder, const Muscle3dSystem &system, const dealii::Tensor<1, 3> &thickness);
 
-  /// reaction.csv: per prescribing condition the force with which it pulls on the muscle.
-  std::unique_ptr<SeriesFile> reaction_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
+  /// reaction.csv: per prescribing condition the force with which it pulls on the muscle, and at the end of the row the parts of these
+  /// forces along the line of action, where there is one.
+  std::unique_ptr<SeriesFile> reaction_file(const OutputFolder &folder, const Muscle3dSystem &system);
+
+  /// fascicles.csv: mean, least and greatest length of Fascicles, means of their stretch, velocity and curvature and, where there is a line
+  /// of action, of their angle to it.
+  std::unique_ptr<SeriesFile> fascicles_file(const OutputFolder &folder, const Muscle3dSystem &system, unsigned int number);
 
   /// energy_balance.csv. Works are integrals over time of the powers, trapezoidal between accepted steps:
   ///
@@ -54,12 +59,12 @@ namespace myolines
   /// that follows.
   std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
 
-  /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row; empty
-  /// while fibres are at rest. Physiological: 1 unless fibres change length faster than their maximum strain rate, 0 then.
-  std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
+  /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row, with L_f0 of
+  /// reference_fibre_length(); empty while fibres are at rest. Physiological: 1 unless fibres change length faster than their maximum strain rate, 0 then.
+  std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dSystem &system);
 
-  /// strain.csv: strain and strain rate along x of the parts of the block up to x = p L, from the displacements and velocities of points of
-  /// the line between the centres of x- and x+; @p places p in (0, 1].
+  /// strain.csv: strain and strain rate along the line of action of the parts of the body up to p L, from the displacements and velocities
+  /// of points of the line between the centres of the faces at its ends, which are L apart; @p places p in (0, 1].
   std::unique_ptr<SeriesFile> strain_file(const OutputFolder &folder, const Muscle3dSystem &system, const std::vector<double> &places);
 
 } // namespace myolines

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/muscle3d/face_mean.h>
 #include <myolines/muscle3d/measurements.h>
 
 #include <map>
@@ -8,13 +9,12 @@
 
 namespace myolines
 {
-  /// The centres of the end faces x-, x+ and of the face whose force is reported.
+  /// What moves at the ends of the line of action, and the face whose force is reported; nothing where the body has no such line, or face.
   struct EndPoints
   {
-    EndPoints(const Muscle3dSystem &system, unsigned int force_face);
+    EndPoints(const Muscle3dSystem &system, std::optional<unsigned int> force_face);
 
-    MarkerProbe probe;            ///< order: x-, x+, force face
-    double      reference_length; ///< of the body along x [m]
+    std::optional<FaceMean> from, to, force_face;
   };
 
   /// What the files of a muscle run may want to know of one state, each measured on first use and then shared: a row of
@@ -37,8 +37,10 @@ namespace myolines
     const Parts<dealii::Tensor<1, 3>> &face_force(unsigned int face) const;
 
     Activation activation() const;       ///< [-], on the side of the state at a kink
-    double     muscle_length() const;    ///< distance along x between the centres of the end faces [m]
-    double     force_face_speed() const; ///< x component of the velocity of the centre of the force face [m/s]
+    /// Length of the body along the line of action: at rest, and what the faces at its ends have moved apart in the mean [m].
+    double muscle_length() const;
+    /// Part along the line of action of the mean velocity of the force face [m/s].
+    double force_face_speed() const;
 
   private:
     const Muscle3dSystem &system_;
