@@ -161,7 +161,8 @@ namespace myolines
   /// doc/integrators_in_the_muscle.md has the errors that the second warning speaks of.
   std::vector<std::string> Experiment::warnings() const
   {
-    std::vector<std::string> warnings = assembled_.warnings;
+    std::vector<std::string> warnings = scene_.notes();
+    warnings.insert(warnings.end(), assembled_.warnings.begin(), assembled_.warnings.end());
     for (const scene::Node *output : intervals())
       if (const double rows = (settings_.end - settings_.start) / output->number("interval"); rows >= 1e6)
         {

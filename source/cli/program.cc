@@ -76,6 +76,17 @@ namespace myolines
         command->add_option("--set", run.overrides, "Overrides a value of the scene: \"time/step=1e-3\"; may be repeated")
             ->allow_extra_args(false)
             ->type_name("PATH=VALUE");
+        // After --set, whose values are there when this is called: what is removed may be set anew.
+        command
+            ->add_option_function<std::vector<std::string>>(
+                "--unset",
+                [this](const std::vector<std::string> &paths) {
+                  for (const std::string &path : paths)
+                    run.overrides.insert(run.overrides.begin(), "~" + path);
+                },
+                "Removes a parameter or a list from the scene, which leaves its default; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("PATH");
       }
 
       void add_run()

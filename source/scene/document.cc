@@ -74,7 +74,7 @@ namespace myolines::scene
         if (!element.hasAttribute("value"))
           return problem(path, "<Parameter> without attribute \"value\"", "name=\"...\" type=\"...\" value=\"...\"");
         if (!type.empty())
-          parent.parameters.push_back({name, type, element.getAttribute("value"), false});
+          parent.parameters.push_back({name, type, element.getAttribute("value"), false, ""});
       }
 
       /// A needed attribute; "" and a problem if it is missing or empty.
@@ -166,17 +166,46 @@ namespace myolines::scene
           }
         list = next;
       }
-    const RawParameter value{last, "", text, from_override};
+    RawParameter value{last, "", text, from_override, ""};
     if (RawParameter *present = find_named(list->parameters, last))
-      *present = value;
+      {
+        value.replaced = present->from_override ? present->replaced : present->text;
+        *present       = value;
+      }
     else
       list->parameters.push_back(value);
+  }
+
+  bool remove_entry(RawList &root, const std::string &path)
+  {
+    const std::vector<std::string> names = split_path(path);
+    RawList                       *list  = &root;
+    for (std::size_t i = 0; i + 1 < names.size() && list != nullptr; ++i)
+      list = find_named(list->lists, names[i]);
+    if (list == nullptr || names.empty())
+      return false;
+    const auto remove = [&](auto &items) {
+      const auto first = std::remove_if(items.begin(), items.end(), [&](const auto &item) { return item.name == names.back(); });
+      const bool found = first != items.end();
+      items.erase(first, items.end());
+      return found;
+    };
+    const bool parameter = remove(list->parameters), whole_list = remove(list->lists);
+    return parameter || whole_list;
   }
 
   void apply_overrides(RawList &root, const std::vector<std::string> &overrides, std::vector<InputProblem> &problems)
   {
     for (const std::string &override_text : overrides)
       {
+        if (!override_text.empty() && override_text.front() == '~')
+          {
+            const std::string path = trimmed(override_text.substr(1));
+            if (!remove_entry(root, path))
+              problems.push_back({"override: unset \"" + path + "\"", "the scene does not write it", "a parameter or a list that the scene writes",
+                                  "what is not written has its default: `myolines check` prints all values in force"});
+            continue;
+          }
         const auto        equals = override_text.find('=');
         const std::string path   = trimmed(override_text.substr(0, equals));
         if (equals == std::string::npos || path.empty())

@@ -51,6 +51,18 @@ namespace myolines::scene
       return nullptr;
     }
 
+    /// Names of parameters and lists that a schema and its alternatives declare.
+    void collect_names(const Schema &schema, std::set<std::string> &names)
+    {
+      for (const Entry &entry : schema.entries())
+        names.insert(entry.name);
+      for (const Schema::Section &section : schema.sections())
+        names.insert(section.name);
+      if (schema.variant())
+        for (const auto &[alternative, other] : schema.variant()->alternatives)
+          collect_names(*other, names);
+    }
+
     template <typename Item>
     bool contains(const std::vector<Item> &items, const Item &item)
     {
@@ -104,8 +116,7 @@ namespace myolines::scene
 
   Node NodeBuilder::build(const RawList *written, const Schema &schema, const std::string &list_name, const std::string &path)
   {
-    const RawList  empty;
-    const RawList &raw = written != nullptr ? *written : empty;
+    RawList raw = written != nullptr ? *written : RawList();
 
     Node node;
     node.name_       = list_name;
@@ -123,6 +134,7 @@ namespace myolines::scene
     for (const auto &[name, alternative] : names.elsewhere)
       node.declared_.push_back(name);
 
+    drop_former(raw, chain, names, path);
     refuse_duplicates(raw, node);
     for (const Schema *link : chain)
       {
@@ -135,6 +147,8 @@ namespace myolines::scene
       }
     if (names.complete)
       refuse_unknown(raw, names, node);
+    if (path.empty())
+      node.notes_ = notes_;
     return node;
   }
 
@@ -200,6 +214,62 @@ namespace myolines::scene
     for (const RawList &list : raw.lists)
       if (!seen.insert(list.name).second && !list.from_override && of_overrides.count(list.name) == 0)
         report(list.name);
+  }
+
+  namespace
+  {
+    /// Of a choice that is not written.
+    std::string fallback(const Schema &schema, const std::string &choice)
+    {
+      for (const Entry &entry : schema.entries())
+        if (entry.name == choice)
+          return entry.fallback.value_or("");
+      return "";
+    }
+
+    bool has_overrides(const RawList &list)
+    {
+      const auto of_override = [](const RawParameter &parameter) { return parameter.from_override; };
+      return list.from_override || std::any_of(list.parameters.begin(), list.parameters.end(), of_override) ||
+             std::any_of(list.lists.begin(), list.lists.end(), has_overrides);
+    }
+  } // namespace
+
+  /// An override that chooses another alternative takes with it what the file has for the former one; what overrides say themselves stays, and
+  /// is refused where it does not apply.
+  void NodeBuilder::drop_former(RawList &raw, const std::vector<const Schema *> &chain, const Names &names, const std::string &path)
+  {
+    for (const Schema *link : chain)
+      {
+        if (!link->variant())
+          continue;
+        const RawParameter *selector = find(raw, link->variant()->selector);
+        if (selector == nullptr || !selector->from_override)
+          continue;
+        const std::string name = selector->name, chosen = trimmed(selector->text);
+        const std::string former = selector->replaced.empty() ? fallback(*link, name) : trimmed(selector->replaced);
+        if (former == chosen)
+          continue;
+        std::set<std::string> of_former;
+        for (const auto &[alternative, schema] : link->variant()->alternatives)
+          if (alternative == former)
+            collect_names(*schema, of_former);
+        std::vector<std::string> dropped;
+        const auto               drop = [&](auto &items, const auto &is_overridden) {
+          const auto first = std::stable_partition(items.begin(), items.end(), [&](const auto &item) {
+            return of_former.count(item.name) == 0 || is_overridden(item) || contains(names.parameters, item.name) ||
+                   contains(names.lists, item.name) || names.any_list;
+          });
+          for (auto item = first; item != items.end(); ++item)
+            dropped.push_back(quoted(item->name));
+          items.erase(first, items.end());
+        };
+        drop(raw.parameters, [](const RawParameter &parameter) { return parameter.from_override; });
+        drop(raw.lists, has_overrides);
+        if (!dropped.empty())
+          notes_.push_back((path.empty() ? "" : path + "/") + name + " is " + quoted(chosen) + " instead of " + quoted(former) +
+                           ": left out of the scene is " + join(dropped));
+      }
   }
 
   void NodeBuilder::refuse_unknown(const RawList &raw, const Names &names, const Node &node)

@@ -30,6 +30,8 @@ namespace myolines
     {
       State       state = system.initial_state(0);
       const auto &space = *system.discretisation().space;
+      for (Vector *x : {&state.u, &state.v})
+        x->zero_out_ghost_values();
       for (const auto node : space.nodes().locally_owned_dofs())
         {
           const dealii::Tensor<1, 3> u = A * space.node_position(node), v = B * space.node_position(node);
@@ -39,6 +41,8 @@ namespace myolines
               state.v(3 * node + c) = v[c];
             }
         }
+      for (Vector *x : {&state.u, &state.v})
+        x->update_ghost_values();
       return state;
     }
 
@@ -55,8 +59,11 @@ namespace myolines
         EXPECT_NEAR(length, 0.02, 1e-11);
 
       dealii::Tensor<2, 3> A, B;
-      A[0][0] = 0.1, A[2][2] = -0.05, A[0][2] = 0.2;
-      B[0][0] = 0.7, B[2][2]                                                    = 0.3;
+      A[0][0] = 0.1;
+      A[2][2] = -0.05;
+      A[0][2] = 0.2;
+      B[0][0] = 0.7;
+      B[2][2] = 0.3;
       const dealii::Tensor<1, 3> a0({std::cos(pi / 6), 0, std::sin(pi / 6)}), a = a0 + A * a0;
       for (const Fascicles::Shape &shape : fascicles.shapes(affine(system, A, B)))
         {

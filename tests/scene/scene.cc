@@ -284,3 +284,41 @@ TEST(Scene, DescriptionNamesEverything)
                                  "type = sine", "frequency", "window/", "face", "required", "optional"})
     EXPECT_NE(text.find(word), std::string::npos) << word;
 }
+
+TEST(Overrides, AnotherAlternativeTakesAwayWhatTheFileHasForTheFormer)
+{
+  const std::string file = sublist("activation", parameter("type", "string", "sine") + parameter("frequency", "double", "2") +
+                                                     sublist("window", parameter("width", "double", "3")));
+  const Node node = read(file, {"activation/type=constant", "activation/value=1"});
+  EXPECT_EQ(node.section("activation").number("value"), 1);
+  EXPECT_FALSE(node.section("activation").has("frequency"));
+  ASSERT_EQ(node.notes().size(), 1u);
+  EXPECT_EQ(node.notes()[0], "activation/type is \"constant\" instead of \"sine\": left out of the scene is \"frequency\", \"window\"");
+  EXPECT_TRUE(read(file).notes().empty());
+  EXPECT_TRUE(read(file, {"activation/type=sine"}).notes().empty());
+}
+
+TEST(Overrides, WhatOverridesSayThemselvesIsNotTakenAway)
+{
+  const std::string file = sublist("activation", parameter("type", "string", "sine") + parameter("frequency", "double", "2"));
+  const auto        told = problems_of([&] { read(file, {"activation/type=constant", "activation/window/width=1"}); });
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].what, "\"window\" does not apply here");
+  // and a file that is wrong by itself stays wrong
+  const std::string wrong = sublist("activation", parameter("type", "string", "constant") + parameter("frequency", "double", "2"));
+  EXPECT_EQ(problems_of([&] { read(wrong, {"activation/type=constant"}); }).size(), 1u);
+}
+
+TEST(Overrides, RemoveWhatTheFileWrites)
+{
+  const std::string file = parameter("title", "string", "mine") + sublist("body", parameter("length", "double", "2")) +
+                           sublist("activation", parameter("type", "string", "constant"));
+  const Node node = read(file, {"~title", "~body/length", "~activation"});
+  EXPECT_EQ(node.text("title"), "untitled");
+  EXPECT_EQ(node.section("body").number("length"), 0.03);
+  EXPECT_FALSE(node.has("activation"));
+  EXPECT_EQ(read(file, {"~body/length", "body/length=4"}).section("body").number("length"), 4);
+  const auto told = problems_of([&] { read(file, {"~body/width"}); });
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].where, "override: unset \"body/width\"");
+}

@@ -15,6 +15,7 @@ namespace myolines::scene
     std::string type; ///< attribute "type"; "" for overrides, which have none
     std::string text; ///< attribute "value", entities replaced
     bool        from_override = false;
+    std::string replaced; ///< of an override: the text that the file has, "" if none
   };
 
   struct RawList
@@ -33,7 +34,10 @@ namespace myolines::scene
   /// Sets the parameter at @p path ("time/step"), making the lists on the way where there are none.
   void set_parameter(RawList &root, const std::string &path, const std::string &text, bool from_override);
 
-  /// Applies "path=value" assignments as set_parameter() does.
+  /// Removes the parameter or list at @p path; false: there is none.
+  bool remove_entry(RawList &root, const std::string &path);
+
+  /// Applies overrides, in their order: "path=value" as set_parameter() does, "~path" as remove_entry().
   void apply_overrides(RawList &root, const std::vector<std::string> &overrides, std::vector<InputProblem> &problems);
 
   /// The parameter at @p path, or nullptr.

@@ -28,6 +28,7 @@ namespace myolines::scene
     void                       read_named(const RawList &raw, const Schema &each, const Names &names, Node &node);
     void                       refuse_duplicates(const RawList &raw, const Node &node);
     void                       refuse_unknown(const RawList &raw, const Names &names, const Node &node);
+    void                       drop_former(RawList &raw, const std::vector<const Schema *> &chain, const Names &names, const std::string &path);
     std::optional<std::string> checked(const RawParameter &raw, const Entry &entry, const std::string &where);
     std::optional<std::string> checked_file(const std::string &text, const Entry &entry, const std::string &where);
     std::string                where(const Node &node, const std::string &name, bool from_override) const;
@@ -35,5 +36,6 @@ namespace myolines::scene
     std::string                name_;
     std::filesystem::path      folder_;
     std::vector<InputProblem> &problems_;
+    std::vector<std::string>   notes_;
   };
 } // namespace myolines::scene

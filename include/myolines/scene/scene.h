@@ -35,6 +35,9 @@ namespace myolines::scene
     /// Lists with names of the user's choice (Schema::named_sections), in the order written.
     const std::vector<Node> &named() const;
 
+    /// Of the root: what overrides have left out of the file, a sentence each.
+    const std::vector<std::string> &notes() const { return notes_; }
+
     const std::string &name() const { return name_; }
     /// "system/boundary/moving end"; "" for the root.
     const std::string &path() const { return path_; }
@@ -65,12 +68,15 @@ namespace myolines::scene
     std::vector<Node>                          sections_;
     std::vector<Node>                          named_;
     std::vector<std::string>                   declared_; ///< every name the schema knows here, for has()
+    std::vector<std::string>                   notes_;
   };
 
   /// Reads a scene, applies the overrides ("time/step=1e-3"), validates everything against @p schema.
   /// All problems are collected into one InputError: unreadable or malformed XML, unknown (with the nearest valid name),
   /// duplicate, misspelt, mistyped or out-of-range entries, missing required ones, missing files.
-  /// An override may create lists that the scene does not write, but no named ones (boundary conditions).
+  /// An override may create lists that the scene does not write, but no named ones (boundary conditions). One that chooses another
+  /// alternative, such as "integrator/type=bdf2", takes away what the file has for the former one (Node::notes()); "~time/step" takes away
+  /// what the file has there.
   /// @p root is the name of the outermost list, which tells what kind of document it is.
   Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides = {},
                   const std::string &root = "scene");
