@@ -261,7 +261,7 @@ namespace myolines::scene
                    contains(names.lists, item.name) || names.any_list;
           });
           for (auto item = first; item != items.end(); ++item)
-            dropped.push_back(quoted(item->name));
+            dropped.push_back("\"" + item->name + "\"");
           items.erase(first, items.end());
         };
         drop(raw.parameters, [](const RawParameter &parameter) { return parameter.from_override; });
