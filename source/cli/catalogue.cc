@@ -229,6 +229,26 @@ namespace myolines
     return root;
   }
 
+  namespace
+  {
+    /// What a method needs that an override has chosen for a scene made for another one.
+    std::vector<scene::Preset> presets(const std::filesystem::path &file, const std::vector<std::string> &overrides)
+    {
+      const auto chosen = scene::peek_text(file, "integrator/type", overrides);
+      if (!chosen || chosen == scene::peek_text(file, "integrator/type"))
+        return {};
+      std::vector<scene::Preset> all;
+      for (const IntegratorEntry &entry : integrator_registry())
+        if (entry.facts.name == *chosen && !entry.make)
+          {
+            all.push_back({"time/control/type", "error", entry.facts.name + " chooses its steps itself"});
+            if (scene::peek_text(file, "time/boundary rates", overrides) == "scheme")
+              all.push_back({"time/boundary rates", "exact", entry.facts.name + " has no formulas of its own for the rates of a moving boundary"});
+          }
+      return all;
+    }
+  } // namespace
+
   scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides)
   {
     const auto        type  = scene::peek_text(file, "system/type", overrides);
@@ -240,6 +260,6 @@ namespace myolines
           names.push_back(entry.name);
         throw InputError(InputProblem{where, "missing parameter \"type\"", "one of " + join(names), "Kind of system."});
       }
-    return scene::read_scene(file, root_schema(system_entry(*type, where)), overrides);
+    return scene::read_scene(file, root_schema(system_entry(*type, where)), overrides, "scene", presets(file, overrides));
   }
 } // namespace myolines

@@ -108,10 +108,12 @@ namespace myolines::scene
     }
   };
 
-  NodeBuilder::NodeBuilder(std::string name, std::filesystem::path folder, std::vector<InputProblem> &problems)
+  NodeBuilder::NodeBuilder(std::string name, std::filesystem::path folder, std::vector<InputProblem> &problems,
+                           std::vector<std::string> notes)
     : name_(std::move(name))
     , folder_(std::move(folder))
     , problems_(problems)
+    , notes_(std::move(notes))
   {}
 
   Node NodeBuilder::build(const RawList *written, const Schema &schema, const std::string &list_name, const std::string &path)

@@ -24,19 +24,37 @@ namespace myolines::scene
       return root;
     }
 
-    Node build_root(const RawList &root, const Schema &schema, const std::string &name, const std::filesystem::path &folder)
+    /// What the presets have changed, a sentence each.
+    std::vector<std::string> apply_presets(RawList &root, const std::vector<Preset> &presets)
+    {
+      std::vector<std::string> notes;
+      for (const Preset &preset : presets)
+        {
+          const RawParameter *present = find_parameter(root, preset.path);
+          if (present != nullptr && (present->from_override || present->text == preset.text))
+            continue;
+          set_parameter(root, preset.path, preset.text, true);
+          notes.push_back(preset.path + " is \"" + preset.text + "\": " + preset.why);
+        }
+      return notes;
+    }
+
+    Node build_root(const RawList &root, const Schema &schema, const std::string &name, const std::filesystem::path &folder,
+                    const std::vector<std::string> &notes = {})
     {
       std::vector<InputProblem> problems;
-      Node                      node = NodeBuilder(name, folder, problems).build(&root, schema, "", "");
+      Node                      node = NodeBuilder(name, folder, problems, notes).build(&root, schema, "", "");
       throw_if_any(problems);
       return node;
     }
   } // namespace
 
   Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides,
-                  const std::string &root)
+                  const std::string &root, const std::vector<Preset> &presets)
   {
-    return build_root(raw_scene(read_input_text(file), file.string(), overrides, root), schema, file.string(), file.parent_path());
+    RawList                        raw   = raw_scene(read_input_text(file), file.string(), overrides, root);
+    const std::vector<std::string> notes = apply_presets(raw, presets);
+    return build_root(raw, schema, file.string(), file.parent_path(), notes);
   }
 
   Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name, const std::filesystem::path &folder,

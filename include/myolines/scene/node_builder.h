@@ -14,8 +14,8 @@ namespace myolines::scene
   class NodeBuilder
   {
   public:
-    /// @p name stands for the file in messages, relative paths start from @p folder.
-    NodeBuilder(std::string name, std::filesystem::path folder, std::vector<InputProblem> &problems);
+    /// @p name stands for the file in messages, relative paths start from @p folder; @p notes are those of the root so far.
+    NodeBuilder(std::string name, std::filesystem::path folder, std::vector<InputProblem> &problems, std::vector<std::string> notes = {});
 
     /// @p raw is nullptr for a list that was not written and takes its defaults.
     Node build(const RawList *raw, const Schema &schema, const std::string &list_name, const std::string &path);

@@ -71,6 +71,12 @@ namespace myolines::scene
     std::vector<std::string>                   notes_;
   };
 
+  /// What goes along with an override: @p path gets @p text, unless an override says otherwise; Node::notes() tells, with @p why.
+  struct Preset
+  {
+    std::string path, text, why;
+  };
+
   /// Reads a scene, applies the overrides ("time/step=1e-3"), validates everything against @p schema.
   /// All problems are collected into one InputError: unreadable or malformed XML, unknown (with the nearest valid name),
   /// duplicate, misspelt, mistyped or out-of-range entries, missing required ones, missing files.
@@ -79,7 +85,7 @@ namespace myolines::scene
   /// what the file has there.
   /// @p root is the name of the outermost list, which tells what kind of document it is.
   Node read_scene(const std::filesystem::path &file, const Schema &schema, const std::vector<std::string> &overrides = {},
-                  const std::string &root = "scene");
+                  const std::string &root = "scene", const std::vector<Preset> &presets = {});
 
   /// The same from XML text; @p name stands for the file in messages, @p folder resolves relative paths.
   Node parse_scene(const std::string &xml, const Schema &schema, const std::string &name = "scene",
