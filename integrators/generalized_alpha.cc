@@ -57,7 +57,8 @@ namespace myolines
       scene::Schema schema(facts().summary);
       schema.variant("given by", "spectral radius", {{"spectral radius", radius}, {"coefficients", coefficients}},
                      "What determines the method.");
-      declare_force_evaluation(schema, "averaged state");
+      declare_force_evaluation(schema, "weighted end forces");
+      declare_first_step(schema);
       return schema;
     }
   } // namespace
@@ -70,7 +71,7 @@ namespace myolines
     entry.derived = [](const scene::Node &node) { return describe(coefficients(node)); };
     entry.make    = [](const scene::Node &node, const IntegratorContext &context) {
       check(node);
-      return make_alpha_method(coefficients(node), force_evaluation(node), facts(), node, context);
+      return make_alpha_method(coefficients(node), force_evaluation(node), first_step(node), facts(), node, context);
     };
     return entry;
   }

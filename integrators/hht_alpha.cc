@@ -30,9 +30,10 @@ namespace myolines
     entry.schema.number("alpha", -0.1, "-", scene::Range::closed(-1. / 3, 0),
                         "Weight of the force at the beginning of a step is -alpha; 0: average acceleration, -1/3: most damping.");
     declare_force_evaluation(entry.schema, "weighted end forces");
+    declare_first_step(entry.schema);
     entry.derived = [](const scene::Node &node) { return describe(coefficients(node)); };
     entry.make    = [](const scene::Node &node, const IntegratorContext &context) {
-      return make_alpha_method(coefficients(node), force_evaluation(node), facts(), node, context);
+      return make_alpha_method(coefficients(node), force_evaluation(node), first_step(node), facts(), node, context);
     };
     return entry;
   }

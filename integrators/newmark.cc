@@ -42,15 +42,24 @@ namespace myolines
       return {0, 0, node.number("beta"), node.number("gamma")};
     }
 
+    /// Members that are stable only where everything is resolved begin with what they resolve.
+    bool takes_long_steps(const std::string &preset) { return preset == "average acceleration" || preset == "own"; }
+
     scene::Schema schema()
     {
       using scene::Range;
       std::vector<std::pair<std::string, scene::Schema>> alternatives;
       for (const Preset &preset : presets)
-        alternatives.emplace_back(preset.name, scene::Schema(preset.summary));
+        {
+          scene::Schema schema(preset.summary);
+          if (takes_long_steps(preset.name))
+            declare_first_step(schema);
+          alternatives.emplace_back(preset.name, schema);
+        }
       scene::Schema own("beta and gamma as given here.");
       own.number("beta", std::nullopt, "-", Range::closed(0, 2), "Weight of a_1 in u_1, in dt^2.")
           .number("gamma", std::nullopt, "-", Range::closed(0.5, 2), "Weight of a_1 in v_1, in dt; 1/2 for second order.");
+      declare_first_step(own);
       alternatives.emplace_back("own", own);
       scene::Schema schema(facts().summary);
       schema.variant("preset", "average acceleration", alternatives, "Member of the family.");
@@ -65,7 +74,8 @@ namespace myolines
     entry.schema  = schema();
     entry.derived = [](const scene::Node &node) { return describe(coefficients(node)); };
     entry.make    = [](const scene::Node &node, const IntegratorContext &context) {
-      return make_alpha_method(coefficients(node), ForceEvaluation::weighted_end_forces, facts(), node, context);
+      const FirstStep first = takes_long_steps(node.text("preset")) ? first_step(node) : FirstStep::own;
+      return make_alpha_method(coefficients(node), ForceEvaluation::weighted_end_forces, first, facts(), node, context);
     };
     return entry;
   }

@@ -1,4 +1,4 @@
-#include <myolines/time/dirk.h>
+#include <myolines/time/first_step.h>
 
 #include <cmath>
 
@@ -33,7 +33,8 @@ namespace myolines
     IntegratorEntry entry;
     entry.facts  = facts();
     entry.schema = scene::Schema(entry.facts.summary);
-    entry.make   = [](const scene::Node &node, const IntegratorContext &context) { return make_dirk(table(), facts(), node, context); };
+    declare_first_step(entry.schema);
+    entry.make = [](const scene::Node &node, const IntegratorContext &context) { return make_dirk(table(), facts(), node, context); };
     return entry;
   }
 } // namespace myolines

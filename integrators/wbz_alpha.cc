@@ -29,9 +29,10 @@ namespace myolines
     entry.schema = scene::Schema(entry.facts.summary);
     entry.schema.number("alpha", -0.1, "-", scene::Range::closed(-1, 0),
                         "Weight of the acceleration at the beginning of a step; 0: average acceleration, -1: most damping.");
+    declare_first_step(entry.schema);
     entry.derived = [](const scene::Node &node) { return describe(coefficients(node)); };
     entry.make    = [](const scene::Node &node, const IntegratorContext &context) {
-      return make_alpha_method(coefficients(node), ForceEvaluation::weighted_end_forces, facts(), node, context);
+      return make_alpha_method(coefficients(node), ForceEvaluation::weighted_end_forces, first_step(node), facts(), node, context);
     };
     return entry;
   }

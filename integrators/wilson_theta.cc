@@ -1,4 +1,5 @@
 #include <myolines/time/combination.h>
+#include <myolines/time/first_step.h>
 #include <myolines/time/start.h>
 
 #include <cmath>
@@ -28,20 +29,25 @@ namespace myolines
     class WilsonTheta : public Integrator
     {
     public:
-      WilsonTheta(const double theta, const IntegratorContext &context)
+      WilsonTheta(const double theta, const FirstStep first, const IntegratorContext &context)
         : theta_(theta)
         , linear_(context.system.capabilities().linear)
-        , context_(context)
         , solver_(context)
+        , starter_(first, solver_, context)
       {}
 
-      void start(State &state) override
-      {
-        start_piece(context_, solver_, state);
-        consistent_acceleration(context_, solver_, Side::right, state);
-      }
+      void start(State &state) override { starter_.start(state); }
 
       StepReport step(const double dt, State &state) override
+      {
+        return starter_.takes_next_step() ? starter_.step(dt, state) : go_on(dt, state);
+      }
+
+      void save(Archive &archive) const override { starter_.save(archive); }
+      void load(const Archive &archive) override { starter_.load(archive); }
+
+    private:
+      StepReport go_on(const double dt, State &state)
       {
         if (d_.size() == 0)
           {
@@ -69,16 +75,12 @@ namespace myolines
         return solver_.step(stage, end_, d_, state);
       }
 
-      void save(Archive &) const override {}
-      void load(const Archive &) override {}
-
-    private:
-      const double            theta_;
-      const bool              linear_;
-      const IntegratorContext context_;
-      StageSolver             solver_;
-      Vector                  d_;
-      State                   end_, offset_;
+      const double theta_;
+      const bool   linear_;
+      StageSolver  solver_;
+      Starter      starter_;
+      Vector       d_;
+      State        end_, offset_;
     };
   } // namespace
 
@@ -88,10 +90,16 @@ namespace myolines
     entry.facts  = facts();
     entry.schema = scene::Schema(entry.facts.summary);
     entry.schema.number("theta", 1.4, "-", scene::Range::closed(1.37, 2), "Length of the collocation interval in steps.");
+    declare_first_step(entry.schema);
+    entry.derived = [](const scene::Node &) {
+      return std::vector<std::string>{
+          "the equations are met beyond the ends of steps: forces ring where steps do not resolve what activation "
+          "and boundaries of a muscle do"};
+    };
     entry.make = [](const scene::Node &node, const IntegratorContext &context) {
       require_fitting_system(facts(), node, context);
       refuse_scheme_rates(node, context); // linear acceleration at a boundary, see Newmark
-      return std::make_unique<WilsonTheta>(node.number("theta"), context);
+      return std::make_unique<WilsonTheta>(node.number("theta"), first_step(node), context);
     };
     return entry;
   }

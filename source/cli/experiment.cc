@@ -131,34 +131,6 @@ namespace myolines
     return lists;
   }
 
-  /// When a moving boundary first changes its velocity abruptly, from rest at the start included; the same on all ranks.
-  std::optional<double> Experiment::first_velocity_jump() const
-  {
-    const SemiDiscreteSystem &system = *assembled_.system;
-    std::vector<double>       kinks  = system.events(settings_.start, settings_.end);
-    kinks.insert(kinks.begin(), settings_.start);
-    State before = system.initial_state(settings_.start), after = before;
-    for (const double t : kinks)
-      {
-        before.v = 0;
-        if (t > settings_.start)
-          system.prescribed(t, Side::left, before);
-        system.prescribed(t, Side::right, after);
-        double jump = 0, size = 0;
-        for (const auto i : before.v.locally_owned_elements())
-          if (system.constraints().is_constrained(i))
-            {
-              jump = std::max(jump, std::abs(after.v(i) - before.v(i)));
-              size = std::max({size, std::abs(after.v(i)), std::abs(before.v(i))});
-            }
-        const MPI_Comm all = before.v.get_mpi_communicator();
-        if (dealii::Utilities::MPI::max(jump, all) > 1e-9 * dealii::Utilities::MPI::max(size, all))
-          return t;
-      }
-    return std::nullopt;
-  }
-
-  /// doc/integrators_in_the_muscle.md has the errors that the second warning speaks of.
   std::vector<std::string> Experiment::warnings() const
   {
     std::vector<std::string> warnings = scene_.notes();
@@ -170,27 +142,9 @@ namespace myolines
           text << "output/" << output->name() << " will have " << rows << " rows: its interval is " << output->number("interval") << " s";
           warnings.push_back(text.str());
         }
-    const bool of_scheme = boundary_rates(scene_.section("time")) == BoundaryRates::scheme && settings_.events != Events::restart;
-    const bool iterates  = method_.facts.solves == MethodFacts::Solves::nonlinear_equations;
-    if (self_paced_)
-      {
-        if (!error_norm_->looks_at_velocity())
-          warnings.push_back(
-              "velocities are not looked at, and \"" + method_.facts.name +
-              "\" damps little of what it does not look at: forces may ring. A list \"time/control/velocity\" looks at them");
-        return warnings;
-      }
-    if (!assembled_.system->capabilities().rates || !method_.facts.second_order_only || !iterates || of_scheme)
-      return warnings;
-    if (const std::optional<double> t = first_velocity_jump())
-      {
-        std::ostringstream text;
-        text << "the velocity of a moving boundary jumps at t = " << *t << " s, and \"" << method_.facts.name
-             << "\" carries accelerations across: expect errors of percents to tens of percents, or steps that fail. Better with it: "
-                "time/boundary rates = scheme and time/events = land. Better without: a method for unknowns of every order "
-                "(`myolines list integrators`)";
-        warnings.push_back(text.str());
-      }
+    if (self_paced_ && !error_norm_->looks_at_velocity())
+      warnings.push_back("velocities are not looked at, and \"" + method_.facts.name +
+                         "\" damps little of what it does not look at: forces may ring. A list \"time/control/velocity\" looks at them");
     return warnings;
   }
 

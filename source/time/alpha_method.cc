@@ -15,21 +15,21 @@ namespace myolines
     class AlphaMethod : public Integrator
     {
     public:
-      AlphaMethod(const AlphaCoefficients &c, const ForceEvaluation force, const IntegratorContext &context)
+      AlphaMethod(const AlphaCoefficients &c, const ForceEvaluation force, const FirstStep first, const IntegratorContext &context)
         : c_(c)
         , keeps_force_(c.alpha_f != 0 && force == ForceEvaluation::weighted_end_forces)
         , averages_state_(c.alpha_f != 0 && force == ForceEvaluation::averaged_state)
         , linear_(context.system.capabilities().linear)
         , context_(context)
         , solver_(context)
+        , starter_(first, solver_, context)
       {}
 
       void start(State &state) override
       {
         allocate(state);
-        start_piece(context_, solver_, state);
-        consistent_acceleration(context_, solver_, Side::right, state);
-        if (!keeps_force_)
+        starter_.start(state);
+        if (!keeps_force_ || starter_.takes_next_step())
           return;
         const Evaluation evaluation = force(state, Side::right, force_);
         if (!evaluation.admissible)
@@ -39,6 +39,31 @@ namespace myolines
       StepReport step(const double dt, State &state) override
       {
         allocate(state);
+        StepReport report = starter_.takes_next_step() ? starter_.step(dt, state) : go_on(dt, state);
+        if (report.accepted() && keeps_force_)
+          keep_force(state, report);
+        return report;
+      }
+
+      void save(Archive &archive) const override
+      {
+        starter_.save(archive);
+        if (keeps_force_)
+          archive.put("force at the last step", force_);
+      }
+
+      void load(const Archive &archive) override
+      {
+        starter_.load(archive);
+        if (!keeps_force_)
+          return;
+        force_ = context_.system.initial_state(0).u;
+        archive.read("force at the last step", force_);
+      }
+
+    private:
+      StepReport go_on(const double dt, State &state)
+      {
         Stage stage;
         stage.t     = state.t + dt;
         stage.c     = predict(dt, state);
@@ -61,29 +86,11 @@ namespace myolines
         record(solver_.solve(stage, end_, d_), report);
         if (context_.error_norm != nullptr && report.accepted())
           estimate(dt, state, report);
-        if (!report.accepted())
-          return report;
-        swap(state, end_);
-        if (keeps_force_)
-          keep_force(state, report);
+        if (report.accepted())
+          swap(state, end_);
         return report;
       }
 
-      void save(Archive &archive) const override
-      {
-        if (keeps_force_)
-          archive.put("force at the last step", force_);
-      }
-
-      void load(const Archive &archive) override
-      {
-        if (!keeps_force_)
-          return;
-        force_ = context_.system.initial_state(0).u;
-        archive.read("force at the last step", force_);
-      }
-
-    private:
       void allocate(const State &state)
       {
         if (d_.size() != 0)
@@ -156,6 +163,7 @@ namespace myolines
       const bool              linear_;
       const IntegratorContext context_;
       StageSolver             solver_;
+      Starter                 starter_;
       Vector                  d_, history_, zero_;
       Vector                  force_; ///< F at the last step
       State                   end_, offset_;
@@ -213,7 +221,7 @@ namespace myolines
     return {coefficients.str(), order_text.str(), stability.str()};
   }
 
-  std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, const ForceEvaluation force,
+  std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, const ForceEvaluation force, const FirstStep first,
                                                 const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
   {
     require_fitting_system(facts, integrator, context);
@@ -222,7 +230,7 @@ namespace myolines
     if (context.error_norm != nullptr && std::abs(error_constant(coefficients)) < 1e-6)
       integrator.refuse("type", "with these parameters the error of a step is of higher order than what estimates it",
                         "another \"time/control/type\", or other parameters", "beta + (alpha_m - alpha_f)/2 must not be 1/6");
-    return std::make_unique<AlphaMethod>(coefficients, force, context);
+    return std::make_unique<AlphaMethod>(coefficients, force, first, context);
   }
 
   void declare_force_evaluation(scene::Schema &schema, const std::string &fallback)

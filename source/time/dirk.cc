@@ -1,6 +1,7 @@
 #include <myolines/time/combination.h>
 #include <myolines/time/dirk.h>
 #include <myolines/time/error_norm.h>
+#include <myolines/time/first_step.h>
 #include <myolines/time/start.h>
 
 #include <cmath>
@@ -14,27 +15,43 @@ namespace myolines
     {
     public:
       DirkMethod(const DirkTable &table, const IntegratorContext &context)
-        : needs_acceleration_(table.explicit_first_stage())
-        , context_(context)
+        : context_(context)
         , solver_(context)
         , stepper_(table, solver_, context)
       {}
 
-      void start(State &state) override
-      {
-        start_piece(context_, solver_, state);
-        if (needs_acceleration_)
-          consistent_acceleration(context_, solver_, Side::right, state);
-      }
+      void       start(State &state) override { start_piece(context_, solver_, state); }
       StepReport step(const double dt, State &state) override { return stepper_.step(dt, state); }
       void       save(Archive &) const override {}
       void       load(const Archive &) override {}
 
     private:
-      const bool              needs_acceleration_;
       const IntegratorContext context_;
       StageSolver             solver_;
       DirkStepper             stepper_;
+    };
+
+    class ExplicitFirstStageMethod : public Integrator
+    {
+    public:
+      ExplicitFirstStageMethod(const DirkTable &table, const FirstStep first, const IntegratorContext &context)
+        : solver_(context)
+        , stepper_(table, solver_, context)
+        , starter_(first, solver_, context)
+      {}
+
+      void       start(State &state) override { starter_.start(state); }
+      StepReport step(const double dt, State &state) override
+      {
+        return starter_.takes_next_step() ? starter_.step(dt, state) : stepper_.step(dt, state);
+      }
+      void save(Archive &archive) const override { starter_.save(archive); }
+      void load(const Archive &archive) override { starter_.load(archive); }
+
+    private:
+      StageSolver solver_;
+      DirkStepper stepper_;
+      Starter     starter_;
     };
 
     void add(Vector &y, const double factor, const Vector &x) { combine(y, {{1, &y}, {factor, &x}}); }
@@ -123,6 +140,8 @@ namespace myolines
                                         const IntegratorContext &context)
   {
     require_fitting_system(facts, integrator, context);
+    if (table.explicit_first_stage())
+      return std::make_unique<ExplicitFirstStageMethod>(table, first_step(integrator), context);
     return std::make_unique<DirkMethod>(table, context);
   }
 

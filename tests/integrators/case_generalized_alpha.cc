@@ -7,14 +7,14 @@ namespace myolines::testing
     const auto from = [](const std::string &label, const Overrides &parameters, const double radius) {
       const double m = (2 * radius - 1) / (radius + 1), f = radius / (radius + 1), x = 1 - m + f;
       Case         c = alpha_case("generalized_alpha_" + label, parameters, m, f, x * x / 4, 0.5 - m + f);
-      if (label == "half_end_forces")
+      if (label != "half_averaged_state" && radius > 0)
         c.history = {{"force at the last step", 2}};
       return c;
     };
-    const std::string radius = "spectral radius at infinity=", end_forces = "force evaluation=weighted end forces";
+    const std::string radius = "spectral radius at infinity=", averaged = "force evaluation=averaged state";
     return {from("default", {}, 0.8),
             from("half", {"given by=spectral radius", radius + "0.5"}, 0.5),
-            from("half_end_forces", {radius + "0.5", end_forces}, 0.5),
+            from("half_averaged_state", {radius + "0.5", averaged}, 0.5),
             from("annihilating", {radius + "0"}, 0),
             from("conserving", {radius + "1"}, 1),
             from("coefficients_chung_hulbert", {"given by=coefficients", "alpha m=0", "alpha f=0.3333333333333333"}, 0.5),

@@ -11,7 +11,9 @@ namespace myolines::testing
         c.history = {{"force at the last step", 2}};
       return c;
     };
+    Case own = hht("own_first_step", -0.3, "weighted end forces");
+    own.parameters.push_back("first step=own");
     return {hht("default", -0.1, "weighted end forces"), hht("strong", -0.3, "weighted end forces"),
-            hht("averaged", -0.3, "averaged state")};
+            hht("averaged", -0.3, "averaged state"), own};
   }
 } // namespace myolines::testing

@@ -12,9 +12,12 @@ namespace myolines::testing
       c.scheme_rates = beta == 0.25 || beta == 0;
       return c;
     };
-    std::vector<Case> cases = {preset("average acceleration", 0.25), preset("linear acceleration", 1. / 6), preset("fox goodwin", 1. / 12),
-                               preset("central difference", 0),
-                               alpha_case("newmark_own_first_order", {"preset=own", "beta=0.3025", "gamma=0.6"}, 0, 0, 0.3025, 0.6)};
+    std::vector<Case> cases    = {preset("average acceleration", 0.25),
+                                  preset("linear acceleration", 1. / 6),
+                                  preset("fox goodwin", 1. / 12),
+                                  preset("central difference", 0),
+                                  alpha_case("newmark_own_first_step", {"preset=average acceleration", "first step=own"}, 0, 0, 0.25, 0.5),
+                                  alpha_case("newmark_own_first_order", {"preset=own", "beta=0.3025", "gamma=0.6"}, 0, 0, 0.3025, 0.6)};
     cases[3].highest_frequency = 10; // far beyond 2, where entries of the step grow like w^2
     // Numerov's formula: without rates and with third derivative 0 at the start the displacement is of fourth order
     cases[1].controls_error = false; // beta = 1/6 leaves nothing to estimate

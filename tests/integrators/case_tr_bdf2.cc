@@ -2,5 +2,10 @@
 
 namespace myolines::testing
 {
-  std::vector<Case> tr_bdf2_cases() { return {second_order_l_stable_case("tr_bdf2")}; }
+  std::vector<Case> tr_bdf2_cases()
+  {
+    Case own       = second_order_l_stable_case("tr_bdf2_own_first_step");
+    own.parameters = {"first step=own"};
+    return {second_order_l_stable_case("tr_bdf2"), own};
+  }
 } // namespace myolines::testing

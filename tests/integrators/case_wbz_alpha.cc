@@ -7,6 +7,8 @@ namespace myolines::testing
     const auto wbz = [](const std::string &label, const double alpha) {
       return alpha_case("wbz_alpha_" + label, {"alpha=" + std::to_string(alpha)}, alpha, 0, (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha);
     };
-    return {wbz("default", -0.1), wbz("strong", -0.5)};
+    Case own = wbz("own_first_step", -0.1);
+    own.parameters.push_back("first step=own");
+    return {wbz("default", -0.1), wbz("strong", -0.5), own};
   }
 } // namespace myolines::testing

@@ -205,7 +205,8 @@ TEST(Start, accelerationsAreConsistentWhereAMethodBeginsFromThem)
   for (const char *method :
        {"newmark", "hht alpha", "wbz alpha", "generalized alpha", "wilson theta", "tr-bdf2", "explicit central difference"})
     {
-      Experiment experiment(integrator_entry(method), parameters);
+      const bool always = std::string(method) == "explicit central difference";
+      Experiment experiment(integrator_entry(method), parameters, BoundaryRates::exact, always ? Overrides{} : Overrides{"first step=own"});
       experiment.integrator->start(experiment.state);
       EXPECT_NEAR(experiment.state.a(0), (7 - 1 - 0.5 * (3 - 4)) / 2, 1e-14) << method;
       EXPECT_EQ(experiment.state.a(1), 0) << method;

@@ -1,5 +1,5 @@
-#include "../support/places.h"
 #include "measured_run.h"
+#include "../support/places.h"
 
 #include "../cli/program_runner.h"
 
@@ -96,14 +96,15 @@ namespace myolines::testing
   {
     const auto                       type   = [](const std::string &name) { return "integrator/type=" + name; };
     const auto                       radius = [](const std::string &rho) { return "integrator/spectral radius at infinity=" + rho; };
+    const std::string                own = "integrator/first step=own", averaged = "integrator/force evaluation=averaged state";
     static const std::vector<Scheme> all{{"be", {type("backward euler")}},
                                          {"bdf2", {type("bdf2"), "integrator/first step=backward euler"}},
-                                         {"newmark", {type("newmark")}},
-                                         {"hht.1", {type("hht alpha"), "integrator/alpha=-0.1"}},
-                                         {"hht.3", {type("hht alpha"), "integrator/alpha=-0.3"}},
-                                         {"genalpha", {type("generalized alpha"), radius("0.5")}},
-                                         {"genalpha0", {type("generalized alpha"), radius("0")}},
-                                         {"trbdf2", {type("tr-bdf2")}},
+                                         {"newmark", {type("newmark"), own}},
+                                         {"hht.1", {type("hht alpha"), "integrator/alpha=-0.1", own}},
+                                         {"hht.3", {type("hht alpha"), "integrator/alpha=-0.3", own}},
+                                         {"genalpha", {type("generalized alpha"), radius("0.5"), averaged, own}},
+                                         {"genalpha0", {type("generalized alpha"), radius("0"), averaged, own}},
+                                         {"trbdf2", {type("tr-bdf2"), own}},
                                          {"sdirk2", {type("sdirk2")}},
                                          {"sdirk3", {type("sdirk3")}}};
     return all;

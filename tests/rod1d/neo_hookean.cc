@@ -20,14 +20,14 @@ namespace
     if (tag == "BDF2")
       return {"bdf2", {"first step=backward euler"}};
     if (tag == "TRBDF2")
-      return {"tr-bdf2", {}};
+      return {"tr-bdf2", {"first step=own"}};
     if (tag == "NEWMARK")
-      return {"newmark", {}};
+      return {"newmark", {"first step=own"}};
     if (tag == "HHT0.3")
-      return {"hht alpha", {"alpha=-0.3"}};
+      return {"hht alpha", {"alpha=-0.3", "first step=own"}};
     if (tag == "HHT1_3")
-      return {"hht alpha", {"alpha=-0.33333333333333331"}};
-    return {"generalized alpha", {"spectral radius at infinity=0.5", "force evaluation=weighted end forces"}};
+      return {"hht alpha", {"alpha=-0.33333333333333331", "first step=own"}};
+    return {"generalized alpha", {"spectral radius at infinity=0.5", "first step=own"}};
   }
 
   /// Largest differences of u and v from the rows of one scheme and profile up to @p last [s].

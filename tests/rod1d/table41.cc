@@ -51,8 +51,10 @@ namespace
   Solution solution(const std::string &scheme, const double young, const double dx, const double dt)
   {
     const std::string method = scheme == "BE" ? "backward euler" : scheme == "NM" ? "newmark" : "hht alpha";
-    const Overrides   alpha  = scheme == "HHT" ? Overrides{"alpha=-0.3333333333333333"} : Overrides{};
-    Solution          s{std::make_unique<Rod>(linear_rod(young, dx), method, alpha)};
+    Overrides         own    = scheme == "BE" ? Overrides{} : Overrides{"first step=own"};
+    if (scheme == "HHT")
+      own.push_back("alpha=-0.3333333333333333");
+    Solution s{std::make_unique<Rod>(linear_rod(young, dx), method, own)};
     s.rod->run(end, dt);
     return s;
   }

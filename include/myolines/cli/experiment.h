@@ -68,7 +68,6 @@ namespace myolines
 
     void                  make_method();
     TimeMethod           &time_method() const;
-    std::optional<double> first_velocity_jump() const;
 
     scene::Node                          scene_;
     std::map<std::string, std::string>   inputs_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <myolines/time/integrator.h>
+#include <myolines/time/first_step.h>
 
 #include <string>
 #include <vector>
@@ -38,7 +38,8 @@ namespace myolines
   unsigned int order(const AlphaCoefficients &coefficients);
 
   /// The error of u in a step is error_constant dt^2 (a_1 - a_0) + O(dt^4), beta + (alpha_m - alpha_f)/2 - 1/6, as the accelerations
-  /// belong to the instants t + (alpha_m - alpha_f) dt. Without alpha_m, alpha_f this is the estimate of Zienkiewicz and Xie (doi:10.1002/eqe.4290200907).
+  /// belong to the instants t + (alpha_m - alpha_f) dt. Without alpha_m, alpha_f this is the estimate of Zienkiewicz and Xie
+  /// (doi:10.1002/eqe.4290200907).
   double error_constant(const AlphaCoefficients &coefficients);
 
   /// Largest amplification per step of a mode whose frequency tends to infinity; infinite for beta = 0.
@@ -50,10 +51,10 @@ namespace myolines
   /// Coefficients, order and spectral radius in words, for `check`.
   std::vector<std::string> describe(const AlphaCoefficients &coefficients);
 
-  /// One nonlinear solve per step; for the first guess see StageSolver::step(). Starts from M a_0 = -F.
+  /// One nonlinear solve per step; for the first guess see StageSolver::step().
   /// @throws InputError (at the parameters of @p integrator) if the system or the boundary rates do not fit.
-  std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, ForceEvaluation force, const MethodFacts &facts,
-                                                const scene::Node &integrator, const IntegratorContext &context);
+  std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, ForceEvaluation force, FirstStep first,
+                                                const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
 
   /// The choice `force evaluation`, and what was chosen.
   void            declare_force_evaluation(scene::Schema &schema, const std::string &fallback);

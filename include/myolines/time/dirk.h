@@ -38,6 +38,9 @@ namespace myolines
     /// As Integrator::step.
     StepReport step(double dt, State &state);
 
+    /// The end of stage @p i, not the last one, of the last accepted step.
+    const State &stage(std::size_t i) const { return stages_[i]; }
+
   private:
     void   allocate(const State &state);
     void   predict(std::size_t stage, double dt, const State &state, State &point);
@@ -54,7 +57,8 @@ namespace myolines
     State              error_;
   };
 
-  /// The method as an integrator. @throws InputError if the system does not fit the facts.
+  /// The method as an integrator. With an explicit first stage @p integrator holds the choice `first step` (first_step.h).
+  /// @throws InputError if the system does not fit the facts.
   std::unique_ptr<Integrator> make_dirk(const DirkTable &table, const MethodFacts &facts, const scene::Node &integrator,
                                         const IntegratorContext &context);
 

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <myolines/time/dirk.h>
+
+#include <optional>
+
+namespace myolines
+{
+  /// First step of a smooth piece, of methods that carry accelerations from step to step or whose first stage is explicit.
+  ///
+  /// Their formulas use a, and as those of the trapezoidal rule v, just after the beginning. Where a load or the velocity of a boundary has
+  /// jumped, or where the state before was not in balance, both decay within much less than a step in a body with strong damping; the
+  /// formulas take them for the whole step. An L-stable method whose stages are all implicit uses neither, and leaves accelerations that
+  /// the step resolves.
+  enum class FirstStep
+  {
+    sdirk2, ///< a step of sdirk2_table(); one does not change an order of 2
+    own     ///< the formulas of the method, from M a = -F
+  };
+
+  /// Begins smooth pieces for such a method. What it remembers goes through save and load.
+  class Starter
+  {
+  public:
+    /// Shares @p solver with the method.
+    Starter(FirstStep kind, StageSolver &solver, const IntegratorContext &context);
+
+    /// Of the beginning of a piece: see start_piece(), and with own formulas consistent_acceleration().
+    void start(State &state);
+
+    /// Whether the next step is the first one of its piece and not by own formulas.
+    bool takes_next_step() const { return due_; }
+
+    /// That step, as Integrator::step.
+    StepReport step(double dt, State &state);
+
+    void save(Archive &archive) const;
+    void load(const Archive &archive);
+
+  private:
+    /// Velocities that jump at the beginning of the step make accelerations of its stages that mean nothing. With q the slope of v between
+    /// the ends of both stages, which lie behind the jump, and D = (M + g C + g^2 K)^-1 M, g the weight of the last stage, a <- q + D (a -
+    /// q): what the step resolves keeps its acceleration, the rest gets the slope.
+    void resolve_acceleration(State &state, StepReport &report);
+
+    const IntegratorContext    context_;
+    StageSolver               &solver_;
+    std::optional<DirkStepper> stepper_; ///< none: own formulas
+    bool                       due_ = false;
+  };
+
+  /// The choice `first step`, and what was chosen.
+  void      declare_first_step(scene::Schema &schema);
+  FirstStep first_step(const scene::Node &integrator);
+} // namespace myolines

@@ -1,0 +1,70 @@
+#include <myolines/time/combination.h>
+#include <myolines/time/first_step.h>
+#include <myolines/time/start.h>
+
+namespace myolines
+{
+  Starter::Starter(const FirstStep kind, StageSolver &solver, const IntegratorContext &context)
+    : context_(context)
+    , solver_(solver)
+  {
+    if (kind == FirstStep::sdirk2)
+      stepper_.emplace(sdirk2_table(), solver, context);
+  }
+
+  void Starter::start(State &state)
+  {
+    start_piece(context_, solver_, state);
+    due_ = stepper_.has_value();
+    if (!due_)
+      consistent_acceleration(context_, solver_, Side::right, state);
+  }
+
+  StepReport Starter::step(const double dt, State &state)
+  {
+    StepReport report = stepper_->step(dt, state);
+    if (!report.accepted())
+      return report;
+    due_ = false;
+    resolve_acceleration(state, report);
+    return report;
+  }
+
+  void Starter::resolve_acceleration(State &state, StepReport &report)
+  {
+    const State &first = stepper_->stage(0);
+    State        rest{state.t, state.u, state.v, state.a};
+    const double h = state.t - first.t;
+    rest.u         = 0;
+    combine(rest.v, {{1, &state.a}, {-1 / h, &state.v}, {1 / h, &first.v}});
+    const NonlinearReport solve = solver_.damp(rest);
+    report.newton_iterations += solve.iterations;
+    report.linear_iterations += solve.linear_iterations;
+    combine(state.a, {{1 / h, &state.v}, {-1 / h, &first.v}});
+    if (solve.converged)
+      combine(state.a, {{1, &state.a}, {1, &rest.v}});
+    state.a.update_ghost_values();
+    if (context_.boundary_rates == BoundaryRates::exact)
+      context_.system.prescribed(state.t, Side::left, state);
+  }
+
+  void Starter::save(Archive &archive) const { archive.put("first step of a piece is due", due_); }
+
+  void Starter::load(const Archive &archive)
+  {
+    due_ = stepper_ && archive.has_numbers("first step of a piece is due") && archive.number("first step of a piece is due") != 0;
+  }
+
+  void declare_first_step(scene::Schema &schema)
+  {
+    schema.choice(
+        "first step", "sdirk2", {"sdirk2", "own"},
+        "Method of the first step of every smooth piece (start of the run, restarts at kinks): sdirk2, which needs no acceleration "
+        "and damps what the step does not resolve, or the formulas of this method, from the acceleration M a = -F.");
+  }
+
+  FirstStep first_step(const scene::Node &integrator)
+  {
+    return integrator.text("first step") == "own" ? FirstStep::own : FirstStep::sdirk2;
+  }
+} // namespace myolines
