@@ -75,6 +75,16 @@ namespace myolines
             throw; // it is damaged
           InputProblem problem = error.problems().front();
           problem.hint         = "name the folder of the run with --out; a run that has no checkpoint yet is started without --resume";
+    /// "Not defined, and left empty: gearing.csv (Gearing)".
+    void say_what_is_empty(const OutputFolder &folder, std::ostream &out)
+    {
+      std::vector<std::string> tables;
+      for (const auto &[file, columns] : folder.left_empty())
+        tables.push_back(file + " (" + join({columns.begin(), columns.end()}) + ")");
+      if (!tables.empty())
+        out << "Some cells are empty, as there is no such number there: " << join(tables, "; ") << "\n";
+    }
+
           throw InputError(problem);
         }
     }
@@ -213,3 +223,5 @@ namespace myolines
     say_where_to_look(options.program, outputs, out);
   }
 } // namespace myolines
+    tell_energy();
+    say_what_is_empty(outputs, out);

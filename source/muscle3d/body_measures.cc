@@ -10,11 +10,11 @@ namespace myolines
 {
   namespace
   {
-    /// Whether points or cells are in the slab X_1 in [3/8 L, 5/8 L].
-    class Slab
+    /// Sums over the points of the slab, or over those nearest to the middle where it has none.
+    class SlabSums
     {
     public:
-      Slab(const Muscle3dSystem &system, const SlabRule rule)
+      SlabSums(const Muscle3dSystem &system, const SlabRule rule)
         : length_(system.parameters().geometry.size[0])
         , start_(system.parameters().geometry.start())
         , rule_(rule)
@@ -23,21 +23,58 @@ namespace myolines
 
       bool contains(const NodeSpace::Cell &cell, const int q) const
       {
-        if (rule_ == SlabRule::whole_cells)
-          return inside(cell->center()[0], 0.); // exact comparison, as the peer
-        return inside(point_position(element_, cell, q)[0], 1e-12 * length_);
+        const double distance = rule_ == SlabRule::whole_cells ? distance_of(cell->center()[0], 0) : // exact comparison, as the peer
+                                                                 distance_of(point_position(element_, cell, q)[0], tolerance());
+        if (distance > distance_ + tolerance())
+          return;
+        if (distance < distance_ - tolerance())
+          clear();
+        distance_       = std::min(distance, distance_);
+        const double dv = p.JxW * p.J;
+        volume_ += dv;
+        stretch_ += dv * p.stretch;
+        pennation_ += dv * p.pennation;
+        strain_rate_ += dv * p.strain_rate;
+        velocity_ += dv * p.velocity;
+      }
+
+      /// Of all ranks; no numbers where there is no muscle.
+      void means(BodyMeasures &m, const MPI_Comm communicator)
+      {
+        if (distance_ > dealii::Utilities::MPI::min(distance_, communicator) + tolerance())
+          clear();
+        for (double *x : {&volume_, &stretch_, &pennation_, &strain_rate_, &velocity_[0], &velocity_[1], &velocity_[2]})
+          *x = dealii::Utilities::MPI::sum(*x, communicator);
+        const double weight = volume_ > 0 ? 1 / volume_ : std::numeric_limits<double>::quiet_NaN();
+        m.slab_volume       = volume_;
+        m.mean_stretch      = weight * stretch_;
+        m.mean_pennation    = weight * pennation_;
+        m.mean_strain_rate  = weight * strain_rate_;
+        m.mean_velocity     = weight * velocity_;
       }
 
     private:
-      bool inside(const double position, const double tolerance) const
+      double tolerance() const { return 1e-12 * length_; }
+
+      /// From the middle; 0 in the slab.
+      double distance_of(const double position, const double tolerance) const
       {
         const double x = position - start_;
-        return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance;
+        return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance ? 0 : std::abs(x - length_ / 2);
+      }
+
+      void   clear()
+      {
+        volume_ = stretch_ = pennation_ = strain_rate_ = 0;
+        velocity_                                      = Vector3();
       }
 
       double         length_, start_;
       SlabRule       rule_;
       const Element &element_;
+      double         distance_ = std::numeric_limits<double>::infinity(); ///< of the points in the sums
+      double         volume_ = 0, stretch_ = 0, pennation_ = 0, strain_rate_ = 0;
+      Vector3        velocity_;
     };
 
     void add_active_powers(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, Powers &powers)
@@ -85,12 +122,11 @@ namespace myolines
         m.work_density.part[part] += density(P.part[part]);
     }
 
-    /// Sums over all ranks; the slab sums are still volume integrals.
+    /// Sums over all ranks.
     void reduce(BodyMeasures &m, const MPI_Comm communicator)
     {
       for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.stored_tendinous,
-                        &m.active_power, &m.dissipation, &m.slab_volume, &m.mean_stretch, &m.mean_pennation, &m.mean_strain_rate,
-                        &m.mean_velocity[0], &m.mean_velocity[1], &m.mean_velocity[2], &m.l2_displacement, &m.l2_pressure})
+                        &m.active_power, &m.dissipation, &m.l2_displacement, &m.l2_pressure})
         *x = dealii::Utilities::MPI::sum(*x, communicator);
       for (double &x : m.work_density.part)
         x = dealii::Utilities::MPI::sum(x, communicator);
@@ -99,11 +135,11 @@ namespace myolines
     }
   } // namespace
 
-  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, const SlabRule rule)
+  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, const SlabRule rule, const Side side)
   {
     const Muscle3dParameters &parameters = system.parameters();
-    const Activation          activation = system.activation(state.t);
-    const Slab                slab(system, rule);
+    const Activation          activation = system.activation(state.t, side);
+    SlabSums                  slab(system, rule);
     BodyMeasures              m;
     m.min_jacobian = std::numeric_limits<double>::max();
     m.max_jacobian = std::numeric_limits<double>::lowest();
@@ -115,36 +151,17 @@ namespace myolines
       m.l2_displacement += p.JxW * p.displacement.norm_square();
       m.l2_pressure += p.JxW * p.pressure * p.pressure;
       add_energies(parameters, activation, p, m);
-      if (p.material_id == muscle_id && slab.contains(cell, q))
-        {
-          const double dv = p.JxW * p.J;
-          m.slab_volume += dv;
-          m.mean_stretch += dv * p.stretch;
-          m.mean_pennation += dv * p.pennation;
-          m.mean_strain_rate += dv * p.strain_rate;
-          m.mean_velocity += dv * p.velocity;
-        }
+      if (p.material_id == muscle_id)
+        slab.add(cell, q, p);
     });
     reduce(m, system.discretisation().communicator);
+    slab.means(m, system.discretisation().communicator);
 
     for (double &x : m.work_density.part)
       x /= m.volume;
     m.l2_displacement = std::sqrt(m.l2_displacement);
     m.l2_pressure     = std::sqrt(m.l2_pressure);
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    if (!(m.slab_volume > 0)) // averages over no points
-      {
-        m.mean_stretch = m.mean_pennation = m.mean_strain_rate = none;
-        m.mean_velocity                                        = dealii::Tensor<1, 3>({none, none, none});
-      }
-    else
-      {
-        m.mean_stretch /= m.slab_volume;
-        m.mean_pennation /= m.slab_volume;
-        m.mean_strain_rate /= m.slab_volume;
-        m.mean_velocity /= m.slab_volume;
-      }
-    add_load_powers(system, state, m);
+    add_load_powers(system, state, side, m);
     if (system.surface_forces().any())
       m.stored_springs = system.surface_forces().energy(state.t, state.u);
     return m;
@@ -234,5 +251,24 @@ namespace myolines
         reactions.insert(reactions.begin(), reaction);
       }
     return reactions;
+  }
+
+  double energy(const BodyMeasures &body)
+  {
+    return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous + body.stored_springs;
+  }
+
+  EnergyRates energy_rates(const Powers &powers, const std::vector<Reaction> &reactions)
+  {
+    EnergyRates rates{powers.active_power, powers.dissipation, powers.body_force_power + powers.traction_power};
+    for (const Reaction &reaction : reactions)
+      rates.external += reaction.power;
+    return rates;
+  }
+
+  Energetics Muscle3dSystem::energetics(const State &state, const Side side) const
+  {
+    const BodyMeasures body = measure_body(*this, state, SlabRule::quadrature_points, side);
+    return {energy(body), energy_rates(body, measure_reactions(*this, state, side))};
   }
 } // namespace myolines

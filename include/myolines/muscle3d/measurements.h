@@ -46,11 +46,11 @@ namespace myolines
     T total() const { return part[volumetric_part] + isochoric(); }
   };
 
-  /// Which points the slab averages use: X_1 in [3/8 L, 5/8 L].
+  /// Which points of the muscle the slab averages use: X_1 in [3/8 L, 5/8 L], or those nearest to L/2 if none is in there.
   enum class SlabRule
   {
     quadrature_points, ///< by quadrature point, (6.2.20)
-    whole_cells        ///< by cell centre with an exact comparison, as the peer
+    whole_cells        ///< by cell centre, as the peer
   };
 
   /// Rates of work at one state [W].
@@ -79,7 +79,7 @@ namespace myolines
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
     double               slab_volume      = 0; ///< current [m^3]
-    double               mean_stretch     = 0; ///< (6.2.22), |F a0|; means over a slab without a point of muscle are not numbers
+    double               mean_stretch     = 0; ///< (6.2.22), |F a0|; means of a body without muscle are not numbers
     double               mean_pennation   = 0; ///< (6.2.25) [degree]
     double               mean_strain_rate = 0; ///< (6.2.21), non-dimensional, d|F a0|/dt / e0
     dealii::Tensor<1, 3> mean_velocity;        ///< (6.2.19) [m/s]
@@ -89,7 +89,7 @@ namespace myolines
     double min_jacobian    = 0; ///< smallest det F at a quadrature point
     double max_jacobian    = 0;
   };
-  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule);
+  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule, Side side = Side::left);
 
   /// Size of the middle of the body: how far the nodes at rest positions X_1 in [3/8 L, 5/8 L] reach along y and along z [m].
   struct MiddleSize
