@@ -4,6 +4,7 @@
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
+#include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/start.h>
 
@@ -82,6 +83,9 @@ namespace myolines
       {
         self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
         return;
+        const scene::Node &control = time.section("control");
+        if (control.has("largest gain"))
+          control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself", "no \"largest gain\", or another method");
       }
     control_    = make_step_control(time, error_exponent(method_.facts));
     integrator_ = make_integrator(method_, integrator, context);

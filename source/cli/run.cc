@@ -7,6 +7,7 @@
 #include <myolines/cli/stop_signals.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/manifest.h>
+#include <myolines/output/energy_watch.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/run_folder.h>
 #include <myolines/output/text_file.h>
@@ -33,10 +34,20 @@ namespace myolines
       std::size_t steps = 0, rejections = 0;
     };
 
-    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally,
+    using Outputs = std::vector<std::unique_ptr<Observer>>;
+
+    std::optional<EnergyReport> energy_of_run(const Outputs &outputs)
+    {
+      for (const auto &output : outputs)
+        if (const EnergyBalance *balance = output->energy_balance(); balance != nullptr && balance->started())
+          return balance->report();
+      return std::nullopt;
+    }
+
+    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally, Outputs &outputs,
                           const std::function<void()> &files_are_known)
     {
-      auto outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
+      outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
       outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
       outputs.push_back(make_steps_file(folder));
       files_are_known();
@@ -135,7 +146,7 @@ namespace myolines
 
   void run_command(const RunOptions &options, std::ostream &out)
   {
-    RunRecord                   record{options.command_line, std::filesystem::absolute(options.scene).string(), iso8601_now(), "", {}};
+    RunRecord                   record{options.command_line, std::filesystem::absolute(options.scene).string(), iso8601_now(), "", {}, {}};
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     const std::string           resolved = scene::resolved_xml(experiment.scene());
@@ -180,7 +191,9 @@ namespace myolines
           close(reason);
         }
       catch (const SystemError &)
+    Outputs    observers;
         {} // never in place of the first reason
+      record.energy = energy_of_run(observers);
     };
     const std::string running = "running"; // what a killed run leaves
     book(running);
@@ -192,9 +205,14 @@ namespace myolines
           out << "Warning: " << *warning << "\n";
       }
     Tally tally;
+    const auto tell_energy = [&] {
+      if (record.energy && !options.quiet)
+        for (const std::string &line : energy_lines(*record.energy, experiment.method().name))
+          out << line << "\n";
+    };
     try
       {
-        run_with_outputs(experiment, outputs, options.quiet, tally, [&] { book(running); });
+        run_with_outputs(experiment, outputs, options.quiet, tally, observers, [&] { book(running); });
       }
     catch (const SolveError &error)
       {

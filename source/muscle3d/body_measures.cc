@@ -21,7 +21,7 @@ namespace myolines
         , element_(system.discretisation().element)
       {}
 
-      bool contains(const NodeSpace::Cell &cell, const int q) const
+      void add(const NodeSpace::Cell &cell, const int q, const PointState &p)
       {
         const double distance = rule_ == SlabRule::whole_cells ? distance_of(cell->center()[0], 0) : // exact comparison, as the peer
                                                                  distance_of(point_position(element_, cell, q)[0], tolerance());
@@ -90,13 +90,13 @@ namespace myolines
         powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate, &curves).value - 1);
     }
 
-    void add_load_powers(const Muscle3dSystem &system, const State &state, Powers &powers)
+    void add_load_powers(const Muscle3dSystem &system, const State &state, const Side side, Powers &powers)
     {
       if (system.surface_forces().any())
-        powers.traction_power = system.surface_forces().power(state.t, state.u, state.v);
+        powers.traction_power = system.surface_forces().power(state.t, side, state.u, state.v);
       if (!system.loads().any_external())
         return;
-      powers.traction_power += system.loads().traction_power(state.t, state.v);
+      powers.traction_power += system.loads().traction_power(state.t, side, state.v);
       powers.body_force_power = system.loads().body_force_power(state.t, state.v);
     }
 
@@ -163,14 +163,14 @@ namespace myolines
     m.l2_pressure     = std::sqrt(m.l2_pressure);
     add_load_powers(system, state, side, m);
     if (system.surface_forces().any())
-      m.stored_springs = system.surface_forces().energy(state.t, state.u);
+      m.stored_springs = system.surface_forces().energy(state.t, side, state.u);
     return m;
   }
 
-  Powers measure_powers(const Muscle3dSystem &system, const State &state)
+  Powers measure_powers(const Muscle3dSystem &system, const State &state, const Side side)
   {
     Powers           powers;
-    const Activation activation = system.activation(state.t);
+    const Activation activation = system.activation(state.t, side);
     if (!activation.zero())
       {
         PointStates(system, state).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
@@ -179,7 +179,7 @@ namespace myolines
         for (double *x : {&powers.active_power, &powers.dissipation})
           *x = dealii::Utilities::MPI::sum(*x, system.discretisation().communicator);
       }
-    add_load_powers(system, state, powers);
+    add_load_powers(system, state, side, powers);
     return powers;
   }
 
@@ -208,11 +208,11 @@ namespace myolines
     return {far[0] + far[1], far[2] + far[3]};
   }
 
-  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state)
+  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state, const Side side)
   {
     const NodeSpace &space = *system.discretisation().space;
     Vector           r     = space.make_vector();
-    system.residual({state.t, Side::left, state.u, state.v, state.a}, r);
+    system.residual({state.t, side, state.u, state.v, state.a}, r);
 
     // On an edge that two faces share the later condition holds, and the reaction is its own.
     std::vector<Reaction>                     reactions;
@@ -239,7 +239,7 @@ namespace myolines
         reaction.power = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
         if (condition->is_spring())
           {
-            const dealii::Tensor<1, 3> spring = system.surface_forces().force(state.t, state.u, *condition);
+            const dealii::Tensor<1, 3> spring = system.surface_forces().force(state.t, side, state.u, *condition);
             reaction.force += spring;
             if (condition->has_stop())
               for (unsigned int c = 0; c < 3; ++c)
@@ -247,7 +247,7 @@ namespace myolines
           }
         if (condition->type == BoundaryCondition::Type::isotonic)
           for (unsigned int c = 0; c < 3; ++c)
-            reaction.force[c] += condition->load * condition->factor(state.t, Side::left) * condition->direction[c];
+            reaction.force[c] += condition->load * condition->factor(state.t, side) * condition->direction[c];
         reactions.insert(reactions.begin(), reaction);
       }
     return reactions;

@@ -36,6 +36,8 @@ namespace myolines
         return "inadmissible";
       case StepReport::Outcome::error_too_large:
         return "error too large";
+      case StepReport::Outcome::energy_gained:
+        return "energy gained";
       }
     throw std::logic_error("unknown outcome of a step");
   }

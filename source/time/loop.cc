@@ -159,6 +159,8 @@ namespace myolines
             attempt();
           }
       }
+                for (Observer *observer : observers_)
+                  observer->restarting(state_);
 
       void close(const std::string &reason)
       {
@@ -194,7 +196,7 @@ namespace myolines
       {
         const std::string reason = what + ", after step " + std::to_string(number_) + " at t = " + text(state_.t) + " s";
         tell_end(reason);
-        return reason;
+        throw Error(reason);
       }
 
       /// After a failure: whatever fails now is its consequence.

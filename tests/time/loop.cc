@@ -304,7 +304,6 @@ namespace
   {
     std::optional<std::string> accepted(const State &state, const std::size_t step) override
     {
-      entries.push_back("keep " + std::to_string(step));
       return state.t >= stop_at ? std::optional<std::string>("asked to") : std::nullopt;
     }
     void ended(const State &, const std::size_t step) override { entries.push_back("kept " + std::to_string(step)); }
@@ -377,6 +376,20 @@ TEST(Loop, keepsTheLastAcceptedStateOfAFailedRun)
 }
 
 TEST(Loop, asksNothingMoreOfRanksThatMayNotKnowOfAnError)
+/// A signal makes a long solve fail: that is no failed step.
+TEST(Loop, anAttemptThatFailsBecauseTheRunIsAskedToStopEndsItThere)
+{
+  KeptTrial run;
+  run.fake.fails = [&](const double t, double) {
+    if (t > 0)
+      run.diary.stop_at = 0.5;
+    return t > 0;
+  };
+  EXPECT_THROW(run.go(), Interrupted);
+  EXPECT_EQ(run.diary.entries, (Entries{"begin", "step 1", "keep 1", "kept 1", "last", "end: asked to"}));
+  EXPECT_EQ(run.ledger.counted("rejected steps"), 0u);
+}
+
 {
   KeptTrial run;
   run.diary.break_at = 0.5;

@@ -62,8 +62,8 @@ namespace myolines
     double body_force_power = 0;
     double traction_power   = 0; ///< of pressures, isotonic loads and far ends of tendons too
   };
-  /// Walks over the body only if it is active.
-  Powers measure_powers(const Muscle3dSystem &system, const State &state);
+  /// Walks over the body only if it is active. @p side here and below: the limit of given functions at a kink.
+  Powers measure_powers(const Muscle3dSystem &system, const State &state, Side side = Side::left);
 
   /// Integrals over the body at one state. Energies of the true balance are in joules; work-like densities (6.2.3)-(6.2.11) are in J/m^3 of
   /// current volume.
@@ -113,7 +113,11 @@ namespace myolines
     double               power = 0; ///< its work rate, force times prescribed velocity [W]
     double               stop  = 0; ///< part of the force along n that the stop of an isotonic face pushes with [N]
   };
-  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state);
+  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state, Side side = Side::left);
+
+  /// Kinetic and stored energy [J].
+  double      energy(const BodyMeasures &body);
+  EnergyRates energy_rates(const Powers &powers, const std::vector<Reaction> &reactions);
 
   /// Evaluates vectors of the system at fixed material points. @throws InputError naming the marker if one lies outside the body.
   struct Marker

@@ -71,7 +71,8 @@ namespace myolines
       accepted,
       not_converged,
       inadmissible,
-      error_too_large
+      error_too_large,
+      energy_gained
     };
     Outcome               outcome = Outcome::accepted;
     std::string           reason;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/time/energy_balance.h>
 #include <myolines/time/integrator.h>
 #include <myolines/time/step_control.h>
 
@@ -34,7 +35,8 @@ namespace myolines
     virtual ~Observer() = default;
     virtual void begin(const State &) {}                                         ///< initial state, before the first step
     virtual void resume(const State &, std::size_t /*accepted steps so far*/) {} ///< instead of begin() in a resumed run
-    virtual void restarted(const State &) {}                                     ///< at an event: the state with right limits
+    virtual void restarting(const State &) {}                                    ///< at an event: the state with left limits
+    virtual void restarted(const State &) {}                                     ///< then: with right limits
     virtual void accepted(const State &, const StepRecord &) {}                  ///< after every accepted step
     virtual void rejected(const StepRecord &) {}                                 ///< after every rejected attempt
 
@@ -42,6 +44,9 @@ namespace myolines
     /// of which other ranks may not know.
     virtual void last(const State &) {}
     virtual void end(const std::string & /*reason*/) {} ///< always called, also after a failure; "" if done
+
+    /// What it knows of the balance of energy, nullptr: nothing.
+    virtual const EnergyBalance *energy_balance() const { return nullptr; }
 
     /// What the observer must remember where a run is resumed. It gets it back when it is made.
     virtual void save(Archive &) const {}
