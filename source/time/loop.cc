@@ -102,8 +102,17 @@ namespace myolines
       {
         for (Observer *observer : observers_)
           observer->accepted(state_, record);
-        if (keeper_ != nullptr && state_.t < settings_.end)
-          if (const std::optional<std::string> reason = keeper_->accepted(state_, number_))
+        if (keeper_ == nullptr || state_.t >= settings_.end)
+          return;
+        keeper_->accepted(state_, number_);
+        stop_if_asked();
+      }
+
+      /// A signal makes solves fail.
+      void stop_if_asked() const
+      {
+        if (keeper_ != nullptr)
+          if (const std::optional<std::string> reason = keeper_->reason_to_stop(state_, number_))
             throw Interrupted(*reason);
       }
 
@@ -286,6 +295,7 @@ namespace myolines
         control_.accepted(record.t, record.dt, record.report);
         tell_accepted(record);
       }
+        stop_if_asked();
 
       void reject(StepRecord &record)
       {
@@ -318,6 +328,7 @@ namespace myolines
         record.report = integrator_.advance(next_fixed(0), state_);
         record.number = number_;
         record.t      = state_.t;
+            stop_if_asked();
         record.dt     = state_.t - begin;
         if (!record.report.accepted())
           {

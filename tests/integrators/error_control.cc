@@ -199,6 +199,7 @@ TEST_P(ByError, goesOnFromASavedStateBitForBit)
           state = now;
         }
     }
+    std::optional<std::string> reason_to_stop(const State &, std::size_t) override { return std::nullopt; }
     void      ended(const State &, std::size_t) override {}
     Adaptive *run = nullptr;
     Archive   integrator, control;

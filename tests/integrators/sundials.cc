@@ -155,6 +155,7 @@ TEST_P(Sundials, goesOnFromASavedStateWithinTheTolerance)
           state = now;
         }
     }
+    std::optional<std::string> reason_to_stop(const State &, std::size_t) override { return std::nullopt; }
     void       ended(const State &, std::size_t) override {}
     SelfPaced *run = nullptr;
     Archive    integrator;

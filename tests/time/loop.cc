@@ -302,7 +302,8 @@ namespace
   /// Writes down in one list what keeper and observer are told.
   struct Diary : Keeper, Observer
   {
-    std::optional<std::string> accepted(const State &state, const std::size_t step) override
+    void accepted(const State &, const std::size_t step) override { entries.push_back("keep " + std::to_string(step)); }
+    std::optional<std::string> reason_to_stop(const State &state, std::size_t) override
     {
       return state.t >= stop_at ? std::optional<std::string>("asked to") : std::nullopt;
     }
@@ -375,7 +376,6 @@ TEST(Loop, keepsTheLastAcceptedStateOfAFailedRun)
   EXPECT_EQ(Entries(run.diary.entries.begin(), run.diary.entries.end() - 1), (Entries{"begin", "step 1", "keep 1", "kept 1", "last"}));
 }
 
-TEST(Loop, asksNothingMoreOfRanksThatMayNotKnowOfAnError)
 /// A signal makes a long solve fail: that is no failed step.
 TEST(Loop, anAttemptThatFailsBecauseTheRunIsAskedToStopEndsItThere)
 {
@@ -390,6 +390,7 @@ TEST(Loop, anAttemptThatFailsBecauseTheRunIsAskedToStopEndsItThere)
   EXPECT_EQ(run.ledger.counted("rejected steps"), 0u);
 }
 
+TEST(Loop, asksNothingMoreOfRanksThatMayNotKnowOfAnError)
 {
   KeptTrial run;
   run.diary.break_at = 0.5;

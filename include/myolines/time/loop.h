@@ -61,8 +61,11 @@ namespace myolines
     /// The run begins with this state, after its observers; not in a resumed run.
     virtual void begun(const State &) {}
 
-    /// After every accepted step, after its observers. A text ends the run: why.
-    virtual std::optional<std::string> accepted(const State &state, std::size_t step) = 0;
+    /// After every accepted step, after its observers.
+    virtual void accepted(const State &state, std::size_t step) = 0;
+
+    /// Asked after every accepted step but the last, and after every attempt that failed. A text ends the run: why.
+    virtual std::optional<std::string> reason_to_stop(const State &state, std::size_t step) = 0;
 
     /// The run ends with this last accepted state: done, stopped, or unable to go on; before the observers know.
     virtual void ended(const State &state, std::size_t step) = 0;
