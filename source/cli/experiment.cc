@@ -83,11 +83,11 @@ namespace myolines
     const IntegratorContext context{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time), error_norm_.get()};
     if (error_norm_ && method_.make_self_paced)
       {
-        self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
-        return;
         const scene::Node &control = time.section("control");
         if (control.has("largest gain"))
           control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself", "no \"largest gain\", or another method");
+        self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
+        return;
       }
     control_    = make_step_control(time, error_exponent(method_.facts));
     integrator_ = guard_energy(make_integrator(method_, integrator, context), time, *assembled_.system);

@@ -1,13 +1,14 @@
 #include <myolines/base/checksum.h>
 #include <myolines/base/names.h>
+#include <myolines/base/on_one_rank.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/core_share.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/resume.h>
 #include <myolines/cli/stop_signals.h>
 #include <myolines/output/csv_file.h>
-#include <myolines/output/manifest.h>
 #include <myolines/output/energy_watch.h>
+#include <myolines/output/manifest.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/run_folder.h>
 #include <myolines/output/text_file.h>
@@ -74,6 +75,16 @@ namespace myolines
           << "  scene.resolved.xml, manifest.json   what was run, and with what\n";
     }
 
+    /// "Not defined, and left empty: gearing.csv (Gearing)".
+    void say_what_is_empty(const OutputFolder &folder, std::ostream &out)
+    {
+      std::vector<std::string> tables;
+      for (const auto &[file, columns] : folder.left_empty())
+        tables.push_back(file + " (" + join({columns.begin(), columns.end()}) + ")");
+      if (!tables.empty())
+        out << "Some cells are empty, as there is no such number there: " << join(tables, "; ") << "\n";
+    }
+
     CheckpointReader open_checkpoint(const std::filesystem::path &folder)
     {
       try
@@ -86,16 +97,6 @@ namespace myolines
             throw; // it is damaged
           InputProblem problem = error.problems().front();
           problem.hint         = "name the folder of the run with --out; a run that has no checkpoint yet is started without --resume";
-    /// "Not defined, and left empty: gearing.csv (Gearing)".
-    void say_what_is_empty(const OutputFolder &folder, std::ostream &out)
-    {
-      std::vector<std::string> tables;
-      for (const auto &[file, columns] : folder.left_empty())
-        tables.push_back(file + " (" + join({columns.begin(), columns.end()}) + ")");
-      if (!tables.empty())
-        out << "Some cells are empty, as there is no such number there: " << join(tables, "; ") << "\n";
-    }
-
           throw InputError(problem);
         }
     }
@@ -131,6 +132,15 @@ namespace myolines
       for (const std::string &change : changed)
         text += "; " + change;
       return text;
+    }
+
+    /// @p error with a @p hint behind it.
+    template <typename Error>
+    [[noreturn]] void pass_on(const Error &error, const std::string &hint)
+    {
+      if (dynamic_cast<const OnOneRank<Error> *>(&error) != nullptr)
+        throw OnOneRank<Error>(error.what() + hint);
+      throw Error(error.what() + hint);
     }
 
     std::string how_to_resume(const RunOptions &options, const std::filesystem::path &folder)
@@ -181,7 +191,9 @@ namespace myolines
     const OutputFolder outputs =
         checkpoint ? folder.resume(resolved, checkpoint->outputs) : folder.begin(resolved, options.overwrite, record);
     const auto book  = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
+    Outputs    observers;
     const auto close = [&](const std::string &reason) {
+      record.energy = energy_of_run(observers);
       book(reason);
       write_ledger(outputs, experiment.ledger());
     };
@@ -191,9 +203,12 @@ namespace myolines
           close(reason);
         }
       catch (const SystemError &)
-    Outputs    observers;
         {} // never in place of the first reason
-      record.energy = energy_of_run(observers);
+    };
+    const auto tell_energy = [&] {
+      if (record.energy && !options.quiet)
+        for (const std::string &line : energy_lines(*record.energy, experiment.method().name))
+          out << line << "\n";
     };
     const std::string running = "running"; // what a killed run leaves
     book(running);
@@ -205,11 +220,6 @@ namespace myolines
           out << "Warning: " << *warning << "\n";
       }
     Tally tally;
-    const auto tell_energy = [&] {
-      if (record.energy && !options.quiet)
-        for (const std::string &line : energy_lines(*record.energy, experiment.method().name))
-          out << line << "\n";
-    };
     try
       {
         run_with_outputs(experiment, outputs, options.quiet, tally, observers, [&] { book(running); });
@@ -217,12 +227,13 @@ namespace myolines
     catch (const SolveError &error)
       {
         close_failed(error.what());
-        throw SolveError(error.what() + how_to_resume(options, path));
+        tell_energy();
+        pass_on(error, how_to_resume(options, path));
       }
     catch (const Interrupted &error)
       {
         close_failed(error.what());
-        throw Interrupted(error.what() + how_to_resume(options, path));
+        pass_on(error, how_to_resume(options, path));
       }
     catch (const SystemError &error)
       {
@@ -238,8 +249,8 @@ namespace myolines
     if (options.quiet)
       return;
     out << "Done: " << tally.steps << " steps to t = " << exact_text(tally.t) << " s, " << tally.rejections << " rejected.\n";
+    tell_energy();
+    say_what_is_empty(outputs, out);
     say_where_to_look(options.program, outputs, out);
   }
 } // namespace myolines
-    tell_energy();
-    say_what_is_empty(outputs, out);

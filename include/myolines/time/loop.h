@@ -93,7 +93,7 @@ namespace myolines
   /// Ledger: "accepted steps", "rejected steps", "restarts at events".
   /// @throws SolveError with reason, time and last step size when the control gives up, Interrupted when the keeper ends the
   /// run, SystemError with step and time where the system refuses (on the ranks that notice); observers were told before. What fails while
-  /// the run is closed is told behind the reason.
+  /// the run is closed is told behind the reason, as OnOneRank.
   void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
                 const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper = nullptr);
 
