@@ -77,6 +77,8 @@ namespace myolines
         explicit_force(state, report);
         if (report.accepted())
           solve(dt, state, report);
+        if (linear_)
+          report.initial_residual = report.final_residual = std::nullopt; // nobody looks at what is left of the equations
         if (report.accepted())
           look_at(end_, whole_, r_, report);
         if (report.accepted())
@@ -186,6 +188,7 @@ namespace myolines
           }
         predict(dt, state);
         solve(dt, state, report);
+        report.initial_residual = report.final_residual = std::nullopt; // nobody looks at what is left of the equations
         if (report.accepted())
           look_at(end_, context_.system, product_, report);
         if (report.accepted())

@@ -4,6 +4,7 @@
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
+#include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/start.h>
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <sstream>
 
@@ -59,7 +61,8 @@ namespace myolines
                      .make(scene_.section("system"), ledger_))
     , method_(integrator_entry(scene_.section("integrator").text("type")))
     , settings_(loop_settings(scene_.section("time")))
-    , linear_(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"), ledger_)
+    , linear_(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"), ledger_,
+              [this] { return stop_signal() != 0; })
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
     refuse_ignored_inertia();
@@ -80,11 +83,20 @@ namespace myolines
     const IntegratorContext context{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time), error_norm_.get()};
     if (error_norm_ && method_.make_self_paced)
       {
+        const scene::Node &control = time.section("control");
+        if (control.has("largest gain"))
+          control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself", "no \"largest gain\", or another method");
         self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
         return;
       }
     control_    = make_step_control(time, error_exponent(method_.facts));
-    integrator_ = make_integrator(method_, integrator, context);
+    integrator_ = guard_energy(make_integrator(method_, integrator, context), time, *assembled_.system);
+  }
+
+  int Experiment::stop_signal() const
+  {
+    const int here = signal_ ? signal_() : 0;
+    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1 ? here : dealii::Utilities::MPI::max(here, MPI_COMM_WORLD);
   }
 
   TimeMethod &Experiment::time_method() const { return self_paced_ ? static_cast<TimeMethod &>(*self_paced_) : *integrator_; }
@@ -163,16 +175,31 @@ namespace myolines
     resumed_ = checkpoint.state;
   }
 
-  void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder,
-                       const std::function<int()> &stop_signal)
+  void Experiment::find_equilibrium(State &state)
   {
+    try
+      {
+        start_from_equilibrium({*assembled_.system, nonlinear_, boundary_rates(scene_.section("time")), ledger_}, state);
+      }
+    catch (const SolveError &)
+      {
+        if (const int signal = stop_signal())
+          throw Interrupted(std::string("asked to stop by the signal \"") + strsignal(signal) + "\" before its first step");
+        throw;
+      }
+  }
+
+  void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder,
+                       const std::function<int()> &stop)
+  {
+    signal_                 = stop;
     const scene::Node &time = scene_.section("time");
     State state = resumed_ ? *resumed_ : starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
     if (!resumed_ && starts_from_equilibrium(time))
-      start_from_equilibrium({*assembled_.system, nonlinear_, boundary_rates(time), ledger_}, state);
+      find_equilibrium(state);
     CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
                             {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_), inputs_,
-                             [this] { nonlinear_.forget(); }, stop_signal},
+                             [this] { nonlinear_.forget(); }, [this] { return stop_signal(); }},
                             folder);
     if (self_paced_)
       run_loop(*assembled_.system, *self_paced_, settings_, state, observers, ledger_, &keeper);

@@ -1,5 +1,6 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
+#include <myolines/base/on_one_rank.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/flexodeal.h>
 #include <myolines/cli/point.h>
@@ -316,6 +317,14 @@ namespace myolines
         {
           err << error.what() << std::endl;
           return ExitCode::invalid_input;
+        }
+      catch (const OnOneRank<SolveError> &error)
+        {
+          return end_alone("The solve failed: ", error.what(), ExitCode::solve_failed);
+        }
+      catch (const OnOneRank<Interrupted> &error)
+        {
+          return end_alone("The run was ", error.what(), ExitCode::solve_failed);
         }
       catch (const SolveError &error)
         {

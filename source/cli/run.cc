@@ -1,11 +1,13 @@
 #include <myolines/base/checksum.h>
 #include <myolines/base/names.h>
+#include <myolines/base/on_one_rank.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/core_share.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/resume.h>
 #include <myolines/cli/stop_signals.h>
 #include <myolines/output/csv_file.h>
+#include <myolines/output/energy_watch.h>
 #include <myolines/output/manifest.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/run_folder.h>
@@ -33,10 +35,20 @@ namespace myolines
       std::size_t steps = 0, rejections = 0;
     };
 
-    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally,
+    using Outputs = std::vector<std::unique_ptr<Observer>>;
+
+    std::optional<EnergyReport> energy_of_run(const Outputs &outputs)
+    {
+      for (const auto &output : outputs)
+        if (const EnergyBalance *balance = output->energy_balance(); balance != nullptr && balance->started())
+          return balance->report();
+      return std::nullopt;
+    }
+
+    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally, Outputs &outputs,
                           const std::function<void()> &files_are_known)
     {
-      auto outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
+      outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
       outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
       outputs.push_back(make_steps_file(folder));
       files_are_known();
@@ -61,6 +73,16 @@ namespace myolines
       out << "  steps.csv, run.log, ledger.json   steps, iterations and work\n"
           << "  checkpoint   the last state: --resume goes on from it, --set time/end=... extends the run\n"
           << "  scene.resolved.xml, manifest.json   what was run, and with what\n";
+    }
+
+    /// "Not defined, and left empty: gearing.csv (Gearing)".
+    void say_what_is_empty(const OutputFolder &folder, std::ostream &out)
+    {
+      std::vector<std::string> tables;
+      for (const auto &[file, columns] : folder.left_empty())
+        tables.push_back(file + " (" + join({columns.begin(), columns.end()}) + ")");
+      if (!tables.empty())
+        out << "Some cells are empty, as there is no such number there: " << join(tables, "; ") << "\n";
     }
 
     CheckpointReader open_checkpoint(const std::filesystem::path &folder)
@@ -112,6 +134,15 @@ namespace myolines
       return text;
     }
 
+    /// @p error with a @p hint behind it.
+    template <typename Error>
+    [[noreturn]] void pass_on(const Error &error, const std::string &hint)
+    {
+      if (dynamic_cast<const OnOneRank<Error> *>(&error) != nullptr)
+        throw OnOneRank<Error>(error.what() + hint);
+      throw Error(error.what() + hint);
+    }
+
     std::string how_to_resume(const RunOptions &options, const std::filesystem::path &folder)
     {
       if (!std::filesystem::exists(checkpoint_file(folder)))
@@ -125,7 +156,7 @@ namespace myolines
 
   void run_command(const RunOptions &options, std::ostream &out)
   {
-    RunRecord                   record{options.command_line, std::filesystem::absolute(options.scene).string(), iso8601_now(), "", {}};
+    RunRecord                   record{options.command_line, std::filesystem::absolute(options.scene).string(), iso8601_now(), "", {}, {}};
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     const std::string           resolved = scene::resolved_xml(experiment.scene());
@@ -160,7 +191,9 @@ namespace myolines
     const OutputFolder outputs =
         checkpoint ? folder.resume(resolved, checkpoint->outputs) : folder.begin(resolved, options.overwrite, record);
     const auto book  = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
+    Outputs    observers;
     const auto close = [&](const std::string &reason) {
+      record.energy = energy_of_run(observers);
       book(reason);
       write_ledger(outputs, experiment.ledger());
     };
@@ -171,6 +204,11 @@ namespace myolines
         }
       catch (const SystemError &)
         {} // never in place of the first reason
+    };
+    const auto tell_energy = [&] {
+      if (record.energy && !options.quiet)
+        for (const std::string &line : energy_lines(*record.energy, experiment.method().name))
+          out << line << "\n";
     };
     const std::string running = "running"; // what a killed run leaves
     book(running);
@@ -184,17 +222,18 @@ namespace myolines
     Tally tally;
     try
       {
-        run_with_outputs(experiment, outputs, options.quiet, tally, [&] { book(running); });
+        run_with_outputs(experiment, outputs, options.quiet, tally, observers, [&] { book(running); });
       }
     catch (const SolveError &error)
       {
         close_failed(error.what());
-        throw SolveError(error.what() + how_to_resume(options, path));
+        tell_energy();
+        pass_on(error, how_to_resume(options, path));
       }
     catch (const Interrupted &error)
       {
         close_failed(error.what());
-        throw Interrupted(error.what() + how_to_resume(options, path));
+        pass_on(error, how_to_resume(options, path));
       }
     catch (const SystemError &error)
       {
@@ -210,6 +249,8 @@ namespace myolines
     if (options.quiet)
       return;
     out << "Done: " << tally.steps << " steps to t = " << exact_text(tally.t) << " s, " << tally.rejections << " rejected.\n";
+    tell_energy();
+    say_what_is_empty(outputs, out);
     say_where_to_look(options.program, outputs, out);
   }
 } // namespace myolines

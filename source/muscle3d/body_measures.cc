@@ -14,29 +14,70 @@ namespace myolines
   {
     constexpr double slack = 1e-12; // of the length, for points at the border of the slab
 
-    /// Whether points or cells are in the slab; none is where there is no line of action.
-    class Slab
+    /// Sums over the points of the slab, or over those nearest to its middle where it has none; over nothing without a line of action.
+    class SlabSums
     {
     public:
-      Slab(const Muscle3dSystem &system, const SlabRule rule)
+      SlabSums(const Muscle3dSystem &system, const SlabRule rule)
         : line_(system.line_of_action().line)
         , rule_(rule)
         , element_(system.discretisation().element)
       {}
 
-      bool contains(const NodeSpace::Cell &cell, const int q) const
+      void add(const NodeSpace::Cell &cell, const int q, const PointState &p)
       {
         if (!line_)
-          return false;
-        if (rule_ == SlabRule::whole_cells)
-          return line_->in_slab(cell->center(), 0.); // exact comparison, as the peer
-        return line_->in_slab(point_position(element_, cell, q), slack);
+          return;
+        const double tolerance = slack * line_->length;
+        const double distance  = rule_ == SlabRule::whole_cells ? distance_of(cell->center(), 0) : // exact comparison, as the peer
+                                                                  distance_of(point_position(element_, cell, q), slack);
+        if (distance > distance_ + tolerance)
+          return;
+        if (distance < distance_ - tolerance)
+          clear();
+        distance_       = std::min(distance, distance_);
+        const double dv = p.JxW * p.J;
+        volume_ += dv;
+        stretch_ += dv * p.stretch;
+        pennation_ += dv * p.pennation;
+        strain_rate_ += dv * p.strain_rate;
+        velocity_ += dv * p.velocity;
+      }
+
+      /// Of all ranks; no numbers where there is no muscle.
+      void means(BodyMeasures &m, const MPI_Comm communicator)
+      {
+        if (line_ && distance_ > dealii::Utilities::MPI::min(distance_, communicator) + slack * line_->length)
+          clear();
+        for (double *x : {&volume_, &stretch_, &pennation_, &strain_rate_, &velocity_[0], &velocity_[1], &velocity_[2]})
+          *x = dealii::Utilities::MPI::sum(*x, communicator);
+        const double weight = volume_ > 0 ? 1 / volume_ : std::numeric_limits<double>::quiet_NaN();
+        m.slab_volume       = volume_;
+        m.mean_stretch      = weight * stretch_;
+        m.mean_pennation    = weight * pennation_;
+        m.mean_strain_rate  = weight * strain_rate_;
+        m.mean_velocity     = weight * velocity_;
       }
 
     private:
+      /// From the middle; 0 in the slab.
+      double distance_of(const dealii::Point<3> &x, const double tolerance) const
+      {
+        return line_->in_slab(x, tolerance) ? 0 : std::abs(line_->along(x) - line_->length / 2);
+      }
+
+      void clear()
+      {
+        volume_ = stretch_ = pennation_ = strain_rate_ = 0;
+        velocity_                                      = Vector3();
+      }
+
       const std::optional<LineOfAction> &line_;
       SlabRule                           rule_;
       const Element                     &element_;
+      double                             distance_ = std::numeric_limits<double>::infinity(); ///< of the points in the sums
+      double                             volume_ = 0, stretch_ = 0, pennation_ = 0, strain_rate_ = 0;
+      Vector3                            velocity_;
     };
 
     void add_active_powers(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, Powers &powers)
@@ -52,13 +93,13 @@ namespace myolines
         powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate, &curves).value - 1);
     }
 
-    void add_load_powers(const Muscle3dSystem &system, const State &state, Powers &powers)
+    void add_load_powers(const Muscle3dSystem &system, const State &state, const Side side, Powers &powers)
     {
       if (system.surface_forces().any())
-        powers.traction_power = system.surface_forces().power(state.t, state.u, state.v);
+        powers.traction_power = system.surface_forces().power(state.t, side, state.u, state.v);
       if (!system.loads().any_external())
         return;
-      powers.traction_power += system.loads().traction_power(state.t, state.v);
+      powers.traction_power += system.loads().traction_power(state.t, side, state.v);
       powers.body_force_power = system.loads().body_force_power(state.t, state.v);
     }
 
@@ -84,12 +125,11 @@ namespace myolines
         m.work_density.part[part] += density(P.part[part]);
     }
 
-    /// Sums over all ranks; the slab sums are still volume integrals.
+    /// Sums over all ranks.
     void reduce(BodyMeasures &m, const MPI_Comm communicator)
     {
       for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.stored_tendinous,
-                        &m.active_power, &m.dissipation, &m.slab_volume, &m.mean_stretch, &m.mean_pennation, &m.mean_strain_rate,
-                        &m.mean_velocity[0], &m.mean_velocity[1], &m.mean_velocity[2], &m.l2_displacement, &m.l2_pressure})
+                        &m.active_power, &m.dissipation, &m.l2_displacement, &m.l2_pressure})
         *x = dealii::Utilities::MPI::sum(*x, communicator);
       for (double &x : m.work_density.part)
         x = dealii::Utilities::MPI::sum(x, communicator);
@@ -98,11 +138,11 @@ namespace myolines
     }
   } // namespace
 
-  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, const SlabRule rule)
+  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, const SlabRule rule, const Side side)
   {
     const Muscle3dParameters &parameters = system.parameters();
-    const Activation          activation = system.activation(state.t);
-    const Slab                slab(system, rule);
+    const Activation          activation = system.activation(state.t, side);
+    SlabSums                  slab(system, rule);
     BodyMeasures              m;
     m.min_jacobian = std::numeric_limits<double>::max();
     m.max_jacobian = std::numeric_limits<double>::lowest();
@@ -114,45 +154,26 @@ namespace myolines
       m.l2_displacement += p.JxW * p.displacement.norm_square();
       m.l2_pressure += p.JxW * p.pressure * p.pressure;
       add_energies(parameters, activation, p, m);
-      if (p.material_id == muscle_id && slab.contains(cell, q))
-        {
-          const double dv = p.JxW * p.J;
-          m.slab_volume += dv;
-          m.mean_stretch += dv * p.stretch;
-          m.mean_pennation += dv * p.pennation;
-          m.mean_strain_rate += dv * p.strain_rate;
-          m.mean_velocity += dv * p.velocity;
-        }
+      if (p.material_id == muscle_id)
+        slab.add(cell, q, p);
     });
     reduce(m, system.discretisation().communicator);
+    slab.means(m, system.discretisation().communicator);
 
     for (double &x : m.work_density.part)
       x /= m.volume;
     m.l2_displacement = std::sqrt(m.l2_displacement);
     m.l2_pressure     = std::sqrt(m.l2_pressure);
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    if (!(m.slab_volume > 0)) // averages over no points
-      {
-        m.mean_stretch = m.mean_pennation = m.mean_strain_rate = none;
-        m.mean_velocity                                        = dealii::Tensor<1, 3>({none, none, none});
-      }
-    else
-      {
-        m.mean_stretch /= m.slab_volume;
-        m.mean_pennation /= m.slab_volume;
-        m.mean_strain_rate /= m.slab_volume;
-        m.mean_velocity /= m.slab_volume;
-      }
-    add_load_powers(system, state, m);
+    add_load_powers(system, state, side, m);
     if (system.surface_forces().any())
-      m.stored_springs = system.surface_forces().energy(state.t, state.u);
+      m.stored_springs = system.surface_forces().energy(state.t, side, state.u);
     return m;
   }
 
-  Powers measure_powers(const Muscle3dSystem &system, const State &state)
+  Powers measure_powers(const Muscle3dSystem &system, const State &state, const Side side)
   {
     Powers           powers;
-    const Activation activation = system.activation(state.t);
+    const Activation activation = system.activation(state.t, side);
     if (!activation.zero())
       {
         PointStates(system, state).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
@@ -161,7 +182,7 @@ namespace myolines
         for (double *x : {&powers.active_power, &powers.dissipation})
           *x = dealii::Utilities::MPI::sum(*x, system.discretisation().communicator);
       }
-    add_load_powers(system, state, powers);
+    add_load_powers(system, state, side, powers);
     return powers;
   }
 
@@ -194,11 +215,11 @@ namespace myolines
       return line ? line->thickness : std::nullopt;
     State still = system.initial_state(0);
     still.u     = 0;
-    const Slab                    slab(system, SlabRule::quadrature_points);
+    const Element                &element = system.discretisation().element;
     dealii::SymmetricTensor<2, 3> leaning; // int b (x) b over the slab, b the part of the fibre direction across the line
     double                        volume = 0;
     PointStates(system, still).for_each([&](const NodeSpace::Cell &cell, const int q, const PointState &p) {
-      if (p.material_id != muscle_id || !slab.contains(cell, q))
+      if (p.material_id != muscle_id || !line->in_slab(point_position(element, cell, q), slack))
         return;
       const Vector3 b = p.fibre - (p.fibre * line->direction) * line->direction;
       leaning += p.JxW * symmetrize(outer_product(b, b));
@@ -214,11 +235,11 @@ namespace myolines
     return modes[0].second;
   }
 
-  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state)
+  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state, const Side side)
   {
     const NodeSpace &space = *system.discretisation().space;
     Vector           r     = space.make_vector();
-    system.residual({state.t, Side::left, state.u, state.v, state.a}, r);
+    system.residual({state.t, side, state.u, state.v, state.a}, r);
 
     // On an edge that two faces share the later condition holds, and the reaction is its own.
     std::vector<Reaction>                     reactions;
@@ -245,7 +266,7 @@ namespace myolines
         reaction.power = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
         if (condition->is_spring())
           {
-            const dealii::Tensor<1, 3> spring = system.surface_forces().force(state.t, state.u, *condition);
+            const dealii::Tensor<1, 3> spring = system.surface_forces().force(state.t, side, state.u, *condition);
             reaction.force += spring;
             if (condition->has_stop())
               for (unsigned int c = 0; c < 3; ++c)
@@ -253,9 +274,28 @@ namespace myolines
           }
         if (condition->type == BoundaryCondition::Type::isotonic)
           for (unsigned int c = 0; c < 3; ++c)
-            reaction.force[c] += condition->load * condition->factor(state.t, Side::left) * condition->direction[c];
+            reaction.force[c] += condition->load * condition->factor(state.t, side) * condition->direction[c];
         reactions.insert(reactions.begin(), reaction);
       }
     return reactions;
+  }
+
+  double energy(const BodyMeasures &body)
+  {
+    return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous + body.stored_springs;
+  }
+
+  EnergyRates energy_rates(const Powers &powers, const std::vector<Reaction> &reactions)
+  {
+    EnergyRates rates{powers.active_power, powers.dissipation, powers.body_force_power + powers.traction_power};
+    for (const Reaction &reaction : reactions)
+      rates.external += reaction.power;
+    return rates;
+  }
+
+  Energetics Muscle3dSystem::energetics(const State &state, const Side side) const
+  {
+    const BodyMeasures body = measure_body(*this, state, SlabRule::quadrature_points, side);
+    return {energy(body), energy_rates(body, measure_reactions(*this, state, side))};
   }
 } // namespace myolines

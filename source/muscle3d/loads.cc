@@ -164,10 +164,10 @@ namespace myolines
     return norm_or_nan(f); // a load may be no number
   }
 
-  double Loads::traction_power(const double t, const Vector &v) const
+  double Loads::traction_power(const double t, const Side side, const Vector &v) const
   {
     Vector f = discretisation_.space->make_vector();
-    add_tractions(t, Side::left, f);
+    add_tractions(t, side, f);
     f.compress(dealii::VectorOperation::add);
     return f * v;
   }

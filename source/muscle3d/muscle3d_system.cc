@@ -68,7 +68,7 @@ namespace myolines
     c.inertia           = parameters_.dynamic;
     c.rates             = parameters_.dynamic && parameters_.active() && parameters_.muscle().fibre.force_velocity;
     c.symmetric_tangent = !parameters_.exact_tangent || (!c.rates && !has_follower_pressure(parameters_));
-    c.energy            = true;
+    c.energy            = parameters_.dynamic;
     c.splits            = splits();
     return c;
   }

@@ -214,7 +214,7 @@ namespace myolines
     return all;
   }
 
-  double SurfaceForces::energy(const double t, const Vector &u) const
+  double SurfaceForces::energy(const double t, const Side side, const Vector &u) const
   {
     const CurrentGhosts current(u);
     double              sum = 0;
@@ -222,35 +222,35 @@ namespace myolines
       const BoundaryCondition &given = *condition.given;
       const FacePoint         &point = face.points[q];
       if (given.spring)
-        sum += point.area / condition.area * given.spring->energy(condition.scale(t, Side::left) - vector3(given.direction) * x.u);
+        sum += point.area / condition.area * given.spring->energy(condition.scale(t, side) - vector3(given.direction) * x.u);
       else if (given.type == BoundaryCondition::Type::foundation)
         sum += point.area / 2 * (given.stiffness * x.u.norm_square() + given.normal_stiffness * std::pow(x.u * point.normal, 2));
     });
     return dealii::Utilities::MPI::sum(sum, d_.communicator);
   }
 
-  double SurfaceForces::power(const double t, const Vector &u, const Vector &v) const
+  double SurfaceForces::power(const double t, const Side side, const Vector &u, const Vector &v) const
   {
     const CurrentGhosts current(u), rate(v);
     double              sum = 0;
     for_each_point(current.vector(), [&](const Face &face, const Condition &condition, const std::size_t q, const Deformed &x) {
       const BoundaryCondition &given = *condition.given;
-      const Vector3            at    = force(face, q, condition.scale(t, Side::left), x);
+      const Vector3            at    = force(face, q, condition.scale(t, side), x);
       if (given.type == BoundaryCondition::Type::follower_pressure)
         sum += at * deformed(face, q, rate.vector()).u;
       else if (given.type == BoundaryCondition::Type::tendon && given.profile)
-        sum += at * vector3(given.direction) * given.profile->first_derivative(t, Side::left);
+        sum += at * vector3(given.direction) * given.profile->first_derivative(t, side);
     });
     return dealii::Utilities::MPI::sum(sum, d_.communicator);
   }
 
-  Vector3 SurfaceForces::force(const double t, const Vector &u, const BoundaryCondition &condition) const
+  Vector3 SurfaceForces::force(const double t, const Side side, const Vector &u, const BoundaryCondition &condition) const
   {
     const CurrentGhosts current(u);
     Vector3             sum;
     for_each_point(current.vector(), [&](const Face &face, const Condition &of, const std::size_t q, const Deformed &x) {
       if (of.given == &condition)
-        sum += force(face, q, of.scale(t, Side::left), x);
+        sum += force(face, q, of.scale(t, side), x);
     });
     return dealii::Utilities::MPI::sum(sum, d_.communicator);
   }

@@ -61,6 +61,7 @@ namespace myolines
     capabilities.rates             = parameters_.damping != 0;
     capabilities.linear            = parameters_.cubic_stiffness == 0;
     capabilities.symmetric_tangent = true;
+    capabilities.energy            = true;
     capabilities.splits            = {{"linear", capabilities.linear ? "everything" : "everything but the cubic spring", ""}};
     return capabilities;
   }
@@ -96,10 +97,15 @@ namespace myolines
     state.a.local_element(1) = parameters_.support->second_derivative(t, side);
   }
 
+  namespace
+  {
+    /// Of the mass to the support.
+    double difference(const Vector &x) { return x.size() == 2 ? x.local_element(0) - x.local_element(1) : x.local_element(0); }
+  } // namespace
+
   Evaluation OscillatorSystem::residual(const Point &point, Vector &r) const
   {
     ledger_.count("residual evaluations");
-    const auto   difference = [](const Vector &x) { return x.size() == 2 ? x.local_element(0) - x.local_element(1) : x.local_element(0); };
     const double stretch    = difference(point.u);
     const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch +
                           parameters_.cubic_stiffness * stretch * stretch * stretch;
@@ -138,6 +144,21 @@ namespace myolines
           bands.stiffness(i, j) = i == j ? stiffness : -stiffness;
           bands.damping(i, j)   = i == j ? parameters_.damping : -parameters_.damping;
         }
+  }
+
+  Energetics OscillatorSystem::energetics(const State &state, const Side side) const
+  {
+    const OscillatorParameters &p       = parameters_;
+    const double                stretch = difference(state.u), rate = difference(state.v), velocity = state.v.local_element(0);
+    Energetics                  now;
+    now.energy = p.mass / 2 * velocity * velocity + stretch * stretch * (p.stiffness / 2 + p.cubic_stiffness / 4 * stretch * stretch);
+    now.rates.dissipation = p.damping * rate * rate;
+    if (p.force)
+      now.rates.external += p.force->value(state.t, side) * velocity;
+    if (p.support)
+      now.rates.external -=
+          (p.damping * rate + p.stiffness * stretch + p.cubic_stiffness * stretch * stretch * stretch) * state.v.local_element(1);
+    return now;
   }
 
   std::vector<double> OscillatorSystem::events(const double t0, const double t1) const

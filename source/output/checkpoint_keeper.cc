@@ -38,21 +38,25 @@ namespace myolines
 
   void CheckpointKeeper::begun(const State &state) { write(state, 0, checkpoint_file(folder_)); }
 
-  std::optional<std::string> CheckpointKeeper::accepted(const State &state, const std::size_t step)
+  std::optional<std::string> CheckpointKeeper::reason_to_stop(const State &state, const std::size_t step)
+  {
+    if (const int signal = run_.stop_signal())
+      return std::string("asked to stop by the signal \"") + strsignal(signal) + "\" after step " + std::to_string(step) +
+             " at t = " + exact_text(state.t) + " s";
+    return std::nullopt;
+  }
+
+  void CheckpointKeeper::accepted(const State &state, const std::size_t step)
   {
     if (run_.control != nullptr)
       run_.control->save(control_);
     keep(state, step);
-    if (const int signal = dealii::Utilities::MPI::max(run_.stop_signal(), MPI_COMM_WORLD))
-      return std::string("asked to stop by the signal \"") + strsignal(signal) + "\" after step " + std::to_string(step) +
-             " at t = " + exact_text(state.t) + " s";
     if (step % every_ == 0)
       {
         run_.forget();
         if (time_to_write())
           write(state, step, checkpoint_file(folder_));
       }
-    return std::nullopt;
   }
 
   void CheckpointKeeper::ended(const State &state, const std::size_t step)

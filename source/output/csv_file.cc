@@ -52,9 +52,10 @@ namespace myolines
   } // namespace
 
   CsvFile::CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns)
-    : name_(name)
+    : folder_(folder)
+    , name_(name)
     , path_(folder.file(name))
-    , n_columns_(columns.size())
+    , columns_(columns)
   {
     if (folder.saved != nullptr && folder.saved->has_numbers(bytes_of + name))
       on_writing_rank(path_.string(), as_it_was, mend, [&] { go_on(*folder.saved, columns); });
@@ -94,15 +95,19 @@ namespace myolines
   {
     std::vector<std::string> texts;
     texts.reserve(values.size());
-    for (const double value : values)
-      texts.push_back(std::isnan(value) ? "" : exact_text(value)); // what is not defined has no number
+    for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        texts.push_back(std::isnan(values[i]) ? "" : exact_text(values[i])); // what is not defined has no number
+        if (std::isnan(values[i]) && i < columns_.size())
+          folder_.leave_empty(name_, columns_[i]);
+      }
     row(texts);
   }
 
   void CsvFile::row(const std::vector<std::string> &texts)
   {
-    if (texts.size() != n_columns_)
-      throw std::logic_error(path_.string() + " has " + std::to_string(n_columns_) + " columns, a row of " + std::to_string(texts.size()) +
+    if (texts.size() != columns_.size())
+      throw std::logic_error(path_.string() + " has " + std::to_string(columns_.size()) + " columns, a row of " + std::to_string(texts.size()) +
                              " does not fit");
     write(texts);
   }

@@ -52,6 +52,15 @@ namespace myolines
       return nullptr;
     }
 
+    Json energy_json(const EnergyReport &energy)
+    {
+      const auto gain = [](const EnergyReport::Gain &g) { return Json{{"size [J]", g.size}, {"from [s]", g.from}, {"to [s]", g.to}}; };
+      return {{"drift [J]", energy.drift},
+              {"exchanged [J]", energy.exchanged},
+              {"largest gain", gain(energy.rise)},
+              {"largest gain in one step", gain(energy.jump)}};
+    }
+
     /// Command lines may hold bytes that are no text.
     std::string json_text(const Json &json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
@@ -103,6 +112,7 @@ namespace myolines
     manifest["finished"]     = iso8601_now();
     manifest["resumed"]      = record.resumed.empty() ? Json(nullptr) : Json(record.resumed);
     manifest["exit reason"]  = exit_reason;
+    manifest["energy"]       = record.energy ? energy_json(*record.energy) : Json(nullptr);
     manifest["inputs"]       = Json(record.inputs); // with their CRC-32
     manifest["files"]        = folder.noted();
     const std::string text   = json_text(manifest);

@@ -76,7 +76,8 @@ namespace myolines
                       "a list \"line of action\" in \"system\", with two faces \"from\" and \"to\"");
     }
 
-    std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder)
+    std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder,
+                                                        const EnergyBalance *balance)
     {
       const Muscle3dParameters &p = system.parameters();
       if (series.boolean("gearing") && !p.dynamic)
@@ -93,8 +94,8 @@ namespace myolines
         files.push_back(reaction_file(folder, system));
       if (series.boolean("energies"))
         files.push_back(energy_file(folder, p));
-      if (series.boolean("energy balance") && p.dynamic)
-        files.push_back(energy_balance_file(folder, p));
+      if (balance != nullptr)
+        files.push_back(energy_balance_file(folder, p, *balance));
       if (series.boolean("stretch and pennation") && line)
         files.push_back(stretch_file(folder));
       if (series.boolean("gearing info") && p.dynamic && line)
@@ -135,36 +136,71 @@ namespace myolines
         , system_(system)
         , slab_(series.text("slab") == "whole cells" ? SlabRule::whole_cells : SlabRule::quadrature_points)
         , ends_(system, force_face(series, system))
-        , files_(make_files(series, system, folder))
+        , balance_(followed_balance(series, system, folder))
+        , files_(make_files(series, system, folder, balance_ ? &*balance_ : nullptr))
         , ledger_(ledger)
       {}
+
+      const EnergyBalance *energy_balance() const override { return balance_ ? &*balance_ : nullptr; }
 
       void save(Archive &archive) const override
       {
         for (const auto &file : files_)
           file->save(archive);
+        if (balance_)
+          balance_->save(archive);
       }
 
     private:
+      static std::optional<EnergyBalance> followed_balance(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder)
+      {
+        if (!series.boolean("energy balance") || !system.parameters().dynamic)
+          return std::nullopt;
+        EnergyBalance balance;
+        if (folder.saved != nullptr)
+          balance.load(*folder.saved);
+        return balance;
+      }
+
       void write(const State &state, const Side side, const std::size_t step) override
       {
         const WorkLedger::Timer timer(ledger_, "output series");
         const Muscle3dSample    sample(system_, state, side, slab_, ends_, ledger_);
+        if (balance_)
+          balance_->accepted(state.t, sample.energetics());
         for (const auto &file : files_)
           file->row(sample, step);
       }
 
       void pass(const State &state) override
       {
+        if (!balance_)
+          return;
         const WorkLedger::Timer timer(ledger_, "output series");
         const Muscle3dSample    sample(system_, state, Side::left, slab_, ends_, ledger_);
-        for (const auto &file : files_)
-          file->pass(sample);
+        balance_->started() ? balance_->accepted(state.t, sample.energy_rates()) : balance_->accepted(state.t, sample.energetics());
+      }
+
+      void restarting(const State &state) override
+      {
+        if (!balance_ || balance_->looked_at(state.t))
+          return;
+        const WorkLedger::Timer timer(ledger_, "output series");
+        balance_->accepted(state.t, Muscle3dSample(system_, state, Side::left, slab_, ends_, ledger_).energetics());
+      }
+
+      void restarted(const State &state) override
+      {
+        if (!balance_)
+          return;
+        const WorkLedger::Timer timer(ledger_, "output series");
+        balance_->restarted(state.t, Muscle3dSample(system_, state, Side::right, slab_, ends_, ledger_).energetics());
       }
 
       const Muscle3dSystem                    &system_;
       SlabRule                                 slab_;
       EndPoints                                ends_;
+      std::optional<EnergyBalance>             balance_;
       std::vector<std::unique_ptr<SeriesFile>> files_;
       WorkLedger                              &ledger_;
     };

@@ -9,119 +9,6 @@
 
 namespace myolines
 {
-  namespace
-  {
-    class EnergyBalance : public SeriesFile
-    {
-    public:
-      /// @p springs: there are springs at faces, with a column of their own.
-      EnergyBalance(const OutputFolder &folder, const bool springs)
-        : springs_(springs)
-        , csv_(folder, "energy_balance.csv", columns(springs))
-      {
-        if (folder.saved != nullptr && folder.saved->has_numbers(memory))
-          recall(folder.saved->numbers(memory));
-      }
-
-      void row(const Muscle3dSample &sample, std::size_t) override
-      {
-        const BodyMeasures &body = sample.body();
-        if (!before_)
-          energy_at_start_ = energy(body);
-        accumulate(sample);
-        std::vector<double> row{
-            sample.t(),           body.kinetic,        body.stored_volumetric,
-            body.stored_base,     body.stored_passive, active_work_,
-            dissipated_,          external_work_,      energy(body) - energy_at_start_ - active_work_ + dissipated_ - external_work_,
-            body.stored_tendinous};
-        if (springs_)
-          row.push_back(body.stored_springs);
-        csv_.row(row);
-      }
-
-      void pass(const Muscle3dSample &sample) override
-      {
-        if (!before_)
-          energy_at_start_ = energy(sample.body());
-        accumulate(sample);
-      }
-
-      void save(Archive &archive) const override
-      {
-        csv_.save(archive);
-        if (before_)
-          archive.put_numbers(memory, {energy_at_start_, active_work_, dissipated_, external_work_, before_->t, before_->active,
-                                       before_->dissipation, before_->external});
-      }
-
-    private:
-      static std::vector<std::string> columns(const bool springs)
-      {
-        std::vector<std::string> names{"Time [s]",           "Kinetic [J]",         "Stored volumetric [J]", "Stored base [J]",
-                                       "Stored passive [J]", "Active work [J]",     "Dissipated [J]",        "External work [J]",
-                                       "Balance drift [J]",  "Stored tendinous [J]"};
-        if (springs)
-          names.push_back("Stored springs [J]");
-        return names;
-      }
-
-      /// What the integrals need of an instant.
-      struct Rates
-      {
-        double t;
-        double active;
-        double dissipation;
-        double external;
-      };
-
-      static double energy(const BodyMeasures &body)
-      {
-        return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous + body.stored_springs;
-      }
-
-      static Rates rates(const Muscle3dSample &sample)
-      {
-        const Powers powers = sample.powers();
-        Rates        rates{sample.t(), powers.active_power, powers.dissipation, powers.body_force_power + powers.traction_power};
-        for (const Reaction &reaction : sample.reactions())
-          rates.external += reaction.power;
-        return rates;
-      }
-
-      void accumulate(const Muscle3dSample &sample)
-      {
-        const Rates now = rates(sample);
-        if (before_)
-          {
-            const double half = (now.t - before_->t) / 2;
-            active_work_ += half * (before_->active + now.active);
-            dissipated_ += half * (before_->dissipation + now.dissipation);
-            external_work_ += half * (before_->external + now.external);
-          }
-        before_ = now;
-      }
-
-      void recall(const std::vector<double> &saved)
-      {
-        energy_at_start_ = saved.at(0);
-        active_work_     = saved.at(1);
-        dissipated_      = saved.at(2);
-        external_work_   = saved.at(3);
-        before_          = Rates{saved.at(4), saved.at(5), saved.at(6), saved.at(7)};
-      }
-
-      static constexpr const char *memory = "energy balance: energy at start, works, last rates";
-
-      const bool           springs_;
-      CsvFile              csv_;
-      std::optional<Rates> before_;
-      double               energy_at_start_ = 0;
-      double               active_work_     = 0;
-      double               dissipated_      = 0;
-      double               external_work_   = 0;
-    };
-  } // namespace
-
   std::unique_ptr<SeriesFile> reaction_file(const OutputFolder &folder, const Muscle3dSystem &system)
   {
     const std::vector<BoundaryCondition> &boundary = system.parameters().boundary;
@@ -157,10 +44,32 @@ namespace myolines
     });
   }
 
-  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters)
+  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters,
+                                                  const EnergyBalance &balance)
   {
-    return std::make_unique<EnergyBalance>(folder, std::any_of(parameters.boundary.begin(), parameters.boundary.end(),
-                                                               [](const BoundaryCondition &c) { return c.is_spring(); }));
+    std::vector<std::string> columns{"Time [s]",           "Kinetic [J]",         "Stored volumetric [J]", "Stored base [J]",
+                                     "Stored passive [J]", "Active work [J]",     "Dissipated [J]",        "External work [J]",
+                                     "Balance drift [J]",  "Stored tendinous [J]"};
+    const bool               springs = std::any_of(parameters.boundary.begin(), parameters.boundary.end(),
+                                     [](const BoundaryCondition &c) { return c.is_spring(); });
+    if (springs)
+      columns.push_back("Stored springs [J]");
+    return make_series_file(folder, "energy_balance.csv", columns, [&balance, springs](const Muscle3dSample &sample) {
+      const BodyMeasures &body = sample.body();
+      std::vector<double> row{sample.t(),
+                              body.kinetic,
+                              body.stored_volumetric,
+                              body.stored_base,
+                              body.stored_passive,
+                              balance.active_work(),
+                              balance.dissipated(),
+                              balance.external_work(),
+                              balance.report().drift,
+                              body.stored_tendinous};
+      if (springs)
+        row.push_back(body.stored_springs);
+      return row;
+    });
   }
 
   std::unique_ptr<SeriesFile> gearing_file(const OutputFolder &folder, const Muscle3dSystem &system)

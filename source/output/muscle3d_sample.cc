@@ -33,7 +33,7 @@ namespace myolines
     if (!body_)
       {
         ledger_.count("body measurements");
-        body_ = measure_body(system_, state_, slab_);
+        body_ = measure_body(system_, state_, slab_, side_);
       }
     return *body_;
   }
@@ -45,9 +45,17 @@ namespace myolines
     if (!powers_)
       {
         ledger_.count("power measurements");
-        powers_ = measure_powers(system_, state_);
+        powers_ = measure_powers(system_, state_, side_);
       }
     return *powers_;
+  }
+
+  EnergyRates Muscle3dSample::energy_rates() const { return myolines::energy_rates(powers(), reactions()); }
+
+  Energetics Muscle3dSample::energetics() const
+  {
+    const double now = energy(body());
+    return {now, energy_rates()};
   }
 
   const std::vector<Reaction> &Muscle3dSample::reactions() const
@@ -55,7 +63,7 @@ namespace myolines
     if (!reactions_)
       {
         ledger_.count("reaction measurements");
-        reactions_ = measure_reactions(system_, state_);
+        reactions_ = measure_reactions(system_, state_, side_);
       }
     return *reactions_;
   }

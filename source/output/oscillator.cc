@@ -1,5 +1,6 @@
 #include <myolines/output/csv_file.h>
 #include <myolines/output/dense_output.h>
+#include <myolines/output/energy_watch.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/periodic_output.h>
 
@@ -68,6 +69,8 @@ namespace myolines
             return std::vector<double>{state.u[0], state.v[0]};
           },
           folder, true));
+    observers.push_back(make_energy_watch(
+        system, [&system](const State &state) { return system.energetics(state, Side::left).rates; }, folder));
     return observers;
   }
 } // namespace myolines

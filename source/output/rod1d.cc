@@ -2,6 +2,7 @@
 
 #include <myolines/output/csv_file.h>
 #include <myolines/output/dense_output.h>
+#include <myolines/output/energy_watch.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/periodic_output.h>
 #include <myolines/scene/numbers.h>
@@ -165,6 +166,7 @@ namespace myolines
       observers.push_back(make_motion(
           output.section("motion"), trace_columns(places), [&system, places](const State &state) { return trace(system, places, state); },
           folder, true));
+    observers.push_back(make_energy_watch(system, [&system](const State &state) { return system.energy_rates(state); }, folder));
     return observers;
   }
 } // namespace myolines

@@ -36,6 +36,8 @@ namespace myolines
         return "inadmissible";
       case StepReport::Outcome::error_too_large:
         return "error too large";
+      case StepReport::Outcome::energy_gained:
+        return "energy gained";
       }
     throw std::logic_error("unknown outcome of a step");
   }
@@ -46,7 +48,9 @@ namespace myolines
     text << "step " << record.number << "  t " << record.t << " s  dt " << record.dt << " s  Newton " << record.report.newton_iterations
          << "  linear " << record.report.linear_iterations;
     text.precision(2);
-    text << std::scientific << "  residual " << record.report.initial_residual << " -> " << record.report.final_residual;
+    text << std::scientific;
+    if (record.report.initial_residual && record.report.final_residual)
+      text << "  residual " << *record.report.initial_residual << " -> " << *record.report.final_residual;
     if (record.report.error_estimate)
       text << "  error " << *record.report.error_estimate << " of the tolerance";
     return text.str();

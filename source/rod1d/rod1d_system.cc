@@ -58,6 +58,7 @@ namespace myolines
     capabilities.rates             = false;
     capabilities.linear            = parameters_.material.linear;
     capabilities.symmetric_tangent = true;
+    capabilities.energy            = true;
     capabilities.splits            = {
                    {"linear", parameters_.material.linear ? "everything" : "the inertia and the part mu (l - 1) of the stress, thesis (4.7.7)", ""}};
     return capabilities;
@@ -178,6 +179,28 @@ namespace myolines
             energy.kinetic += e.mass[i][j] * v[i] * v[j] / 2;
       }
     return energy;
+  }
+
+  /// The force of the end is its row of the residual.
+  EnergyRates Rod1dSystem::energy_rates(const State &state) const
+  {
+    const Element    &e    = *element_;
+    const std::size_t from = layout_.size() - e.n;
+    const double     *u = state.u.begin() + from, *a = state.a.begin() + from;
+    double            force = 0;
+    for (const Element::GaussPoint &q : e.points)
+      {
+        const double strain = std::inner_product(u, u + e.n, q.slope.begin(), 0.);
+        force += parameters_.stiffness_factor * parameters_.area * e.h * q.weight * parameters_.material.stress(strain) * q.slope[e.n - 1];
+      }
+    force += std::inner_product(a, a + e.n, e.mass[e.n - 1].begin(), 0.);
+    return {0, 0, force * state.v.local_element(layout_.size() - 1)};
+  }
+
+  Energetics Rod1dSystem::energetics(const State &state, Side) const
+  {
+    const Energy now = energy(state);
+    return {now.kinetic + now.stored, energy_rates(state)};
   }
 
   double Rod1dSystem::position(const unsigned int i) const { return parameters_.length * i / (layout_.size() - 1); }

@@ -66,7 +66,7 @@ namespace myolines
   class LinearSolver::Implementation
   {
   public:
-    Implementation(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger)
+    Implementation(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger, StopRequest stop)
       : type_(linear.text("type"))
       , maximum_iterations_(linear.integer("maximum iterations"))
       , restart_(linear.integer("restart"))
@@ -75,10 +75,12 @@ namespace myolines
       , automatic_(preconditioner.text("type") == "automatic")
       , node_(preconditioner)
       , ledger_(ledger)
+      , stop_(std::move(stop))
       , tangent_(form(linear), ledger)
     {}
 
     bool automatic() const { return automatic_; }
+    bool asked_to_stop() const { return stop_ && stop_(); }
     void new_step()
     {
       outdated_ = outdated_ || rebuild_ == "every step" ||
@@ -90,6 +92,7 @@ namespace myolines
                        const Vector &b, Vector &x, const double tolerance, const double enough);
 
   private:
+    void         go_on_or_throw() const;
     void         build(Linearisation &linearisation);
     void         watch(unsigned int iterations, double tolerance);
     LinearReport attempt(bool symmetric, const Vector &b, Vector &x, double tolerance, double enough);
@@ -105,6 +108,7 @@ namespace myolines
     const bool         automatic_;
     const scene::Node  node_;
     WorkLedger        &ledger_;
+    const StopRequest  stop_;
 
     TangentOperator                 tangent_;
     std::unique_ptr<Preconditioner> preconditioner_;
@@ -114,8 +118,15 @@ namespace myolines
     double                          excess_   = 0; ///< iterations beyond that, summed over the solves since then
   };
 
+  void LinearSolver::Implementation::go_on_or_throw() const
+  {
+    if (asked_to_stop())
+      throw std::runtime_error("the run is asked to stop");
+  }
+
   void LinearSolver::Implementation::build(Linearisation &linearisation)
   {
+    go_on_or_throw();
     const WorkLedger::Timer timer(ledger_, "preconditioner");
     ledger_.count("preconditioner set-ups");
     if (!preconditioner_)
@@ -172,6 +183,7 @@ namespace myolines
       std::copy_n(to.begin(), to.locally_owned_size(), out);
     });
     const ActionOperator inverse(map, [&](const double *in, double *out) {
+      go_on_or_throw();
       const WorkLedger::Timer timer(ledger_, "preconditioner application");
       ledger_.count("preconditioner applications");
       preconditioner_->apply(in, out);
@@ -330,13 +342,15 @@ namespace myolines
     return report;
   }
 
-  LinearSolver::LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger)
-    : implementation_(std::make_unique<Implementation>(linear, preconditioner, ledger))
+  LinearSolver::LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger, StopRequest stop)
+    : implementation_(std::make_unique<Implementation>(linear, preconditioner, ledger, std::move(stop)))
   {}
 
   LinearSolver::~LinearSolver() = default;
 
   bool LinearSolver::automatic() const { return implementation_->automatic(); }
+
+  bool LinearSolver::asked_to_stop() const { return implementation_->asked_to_stop(); }
 
   void LinearSolver::new_step() { implementation_->new_step(); }
 

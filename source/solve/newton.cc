@@ -19,12 +19,14 @@ namespace myolines
       node.refuse("forcing minimum", "is larger than \"forcing maximum\"", "forcing minimum <= forcing maximum");
   }
 
-  Newton::Newton(const Options &options, NonlinearProblem &problem, LiftedFunction &function, DirectionSolver &solver, WorkLedger &ledger)
+  Newton::Newton(const Options &options, NonlinearProblem &problem, LiftedFunction &function, DirectionSolver &solver, WorkLedger &ledger,
+                 const StopRequest &stop)
     : options_(options)
     , problem_(problem)
     , function_(function)
     , solver_(solver)
     , ledger_(ledger)
+    , stop_(stop)
   {}
 
   /// Of problems that do not tell the size of their forces the tolerance is relative to where the solve began.
@@ -64,6 +66,11 @@ namespace myolines
       report_.converged = report_.converged || below_resolution_ || (problem_.affine() && solver_.exact()) || steps_.enough();
     if (report_.converged)
       return Verdict::converged;
+    if (stop_())
+      {
+        report_.reason = "the run is asked to stop";
+        return Verdict::failed;
+      }
     if (!last)
       return Verdict::go_on;
     std::ostringstream text;

@@ -32,7 +32,8 @@ namespace myolines
       failed ///< report().reason says why
     };
 
-    Newton(const Options &options, NonlinearProblem &problem, LiftedFunction &function, DirectionSolver &solver, WorkLedger &ledger);
+    Newton(const Options &options, NonlinearProblem &problem, LiftedFunction &function, DirectionSolver &solver, WorkLedger &ledger,
+           const StopRequest &stop);
 
     /// G at the first guess @p at .x. False: it is inadmissible.
     bool begin(Iterate &at);
@@ -62,6 +63,7 @@ namespace myolines
     LiftedFunction   &function_;
     DirectionSolver  &solver_;
     WorkLedger       &ledger_;
+    const StopRequest stop_;
     NonlinearReport   report_;
     NewtonSteps       steps_;
     bool              below_resolution_ = false; ///< the last direction is

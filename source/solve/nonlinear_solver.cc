@@ -201,7 +201,7 @@ namespace myolines
     x.update_ghost_values();
     at_.x = x;
     linear_.new_step();
-    Newton newton(options_, problem, *function_, solver, ledger_);
+    Newton newton(options_, problem, *function_, solver, ledger_, [this] { return linear_.asked_to_stop(); });
     try
       {
         if (newton.begin(at_))

@@ -1,9 +1,8 @@
 #include <myolines/base/error.h>
+#include <myolines/base/on_one_rank.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/time/loop.h>
 #include <myolines/time/plan.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -53,11 +52,11 @@ namespace myolines
           }
         catch (const SolveError &error)
           {
-            throw SolveError(closed(error.what()));
+            close_and_throw<SolveError>(error.what());
           }
         catch (const Interrupted &error)
           {
-            throw Interrupted(closed(error.what()));
+            close_and_throw<Interrupted>(error.what());
           }
         catch (const SystemError &error)
           {
@@ -102,8 +101,17 @@ namespace myolines
       {
         for (Observer *observer : observers_)
           observer->accepted(state_, record);
-        if (keeper_ != nullptr && state_.t < settings_.end)
-          if (const std::optional<std::string> reason = keeper_->accepted(state_, number_))
+        if (keeper_ == nullptr || state_.t >= settings_.end)
+          return;
+        keeper_->accepted(state_, number_);
+        stop_if_asked();
+      }
+
+      /// A signal makes solves fail.
+      void stop_if_asked() const
+      {
+        if (keeper_ != nullptr)
+          if (const std::optional<std::string> reason = keeper_->reason_to_stop(state_, number_))
             throw Interrupted(*reason);
       }
 
@@ -151,6 +159,8 @@ namespace myolines
             if (settings_.events == Events::restart && at_event() && restarted_at_ != state_.t)
               {
                 ledger_.count("restarts at events");
+                for (Observer *observer : observers_)
+                  observer->restarting(state_);
                 method_.start(state_);
                 restarted_at_ = state_.t;
                 for (Observer *observer : observers_)
@@ -170,9 +180,9 @@ namespace myolines
           observer->end(reason);
       }
 
-      /// Closes the run that ends for @p reason and returns it, with what fails then behind it. Other ranks do not know of that:
-      /// SystemError.
-      std::string closed(const std::string &reason)
+      /// Closes the run that ends for @p reason. What fails then stands behind it; other ranks do not know of that.
+      template <typename Error>
+      [[noreturn]] void close_and_throw(const std::string &reason)
       {
         try
           {
@@ -182,11 +192,9 @@ namespace myolines
           {
             const std::string both = reason + "\nNot everything could be saved: " + error.what();
             tell_end(both);
-            if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-              throw SystemError(both, error.error_number());
-            return both;
+            throw OnOneRank<Error>(both);
           }
-        return reason;
+        throw Error(reason);
       }
 
       /// The system refused, on one rank perhaps. Returns the reason with step and time.
@@ -287,6 +295,7 @@ namespace myolines
 
       void reject(StepRecord &record)
       {
+        stop_if_asked();
         record.number = number_;
         tell_rejected(record);
         if (!control_.rejected(state_.t, record.dt, record.report))
@@ -319,6 +328,7 @@ namespace myolines
         record.dt     = state_.t - begin;
         if (!record.report.accepted())
           {
+            stop_if_asked();
             tell_rejected(record);
             give_up("", record.report.reason,
                     "other tolerances or a smaller \"minimum step\" in \"time/control\", velocities among them, or another method");

@@ -1,3 +1,4 @@
+#include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/plan.h>
 
@@ -145,6 +146,9 @@ namespace myolines
     cut_back.number("growth factor", 2, "-", Range{1, 10, false, false}, "Growth of the step after a success, up to the planned size.")
         .number("minimum step", 0, "s", Range::not_negative(), "The run ends rather than take a smaller step.")
         .integer("maximum cuts", 10, Range::closed(0, 50), "Largest number of times a step is halved before one succeeds.");
+    scene::Schema by_error = error_control_schema();
+    for (scene::Schema *control : {&fixed, &cut_back, &by_error})
+      add_largest_gain(*control);
 
     scene::Schema schema("Steps in time.");
     schema.number("start", 0, "s", Range::any(), "Initial time.")
@@ -156,7 +160,7 @@ namespace myolines
         .optional_text("land on",
                        "Further times at which a step ends, separated by spaces, for example \"0.1 0.25\": for values of exactly there.")
         .section("control", scene::Schema("How long steps are, and what happens when one fails.")
-                                .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}, {"error", error_control_schema()}},
+                                .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}, {"error", by_error}},
                                          "Kind of step control."))
         .choice("boundary rates", "exact", {"exact", "scheme"},
                 "Velocity and acceleration of moving boundaries: derivatives of the prescribed motion, or the formulas of the integrator.")

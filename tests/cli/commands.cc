@@ -22,6 +22,49 @@ TEST(Run, WritesItsFolderAndSaysWhere)
   EXPECT_NE(contents(folder / "results/swing/ledger.json").find("\"CPU of the run\""), std::string::npos);
 }
 
+/// u = 1, v = 0 of u'' + u = 0: backward Euler leaves 1/(1 + h^2) of the energy in every step.
+TEST(Run, EndsWithTheBalanceOfItsEnergy)
+{
+  const TestFolder  folder;
+  const std::string free = "run swing.xml --set system/mass=1 --set \"system/cubic stiffness=0\" --set \"system/force/points=0 0; 1 0\" ";
+  folder.write("swing.xml", oscillator_scene);
+  const Outcome outcome = run_program(folder, free + "--out out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Energy: 0.0474 J, 9.47 % of the 0.5 J exchanged, went into numerical dissipation of \"backward euler\"."),
+            std::string::npos)
+      << outcome.out;
+  const std::string manifest = contents(folder / "out/manifest.json");
+  EXPECT_NE(manifest.find("\"exchanged [J]\": 0.5"), std::string::npos) << manifest;
+  EXPECT_NE(manifest.find("\"drift [J]\": -0.047"), std::string::npos) << manifest;
+
+  const Outcome refused = run_program(folder, "run swing.xml --out g --set \"time/control/largest gain=1e-30\"  --set integrator/type=newmark");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_NE(refused.err.find("the balance of energy gains "), std::string::npos) << refused.err;
+  EXPECT_NE(contents(folder / "g/steps.csv").find("energy gained"), std::string::npos);
+}
+
+/// A method that is linearly implicit is wrong in steps that are much too long, and does not fail.
+TEST(Run, WarnsOfEnergyFromNowhereInAMuscle)
+{
+  const TestFolder  folder;
+  const std::string active =
+      "run muscle.xml --set time/step=5e-3 --set system/activation/type=ramp --set system/activation/duration=0.02 "
+      "--set system/activation/amplitude=0.5 ";
+  folder.write("muscle.xml", muscle_scene);
+  const Outcome outcome = run_program(folder, active + "--out out --set integrator/type=rosenbrock");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("Warning: from t = 0 s to t = 0.04 s the balance of energy gains "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\"rosenbrock\" is wrong there"), std::string::npos) << outcome.out;
+  const Outcome usual = run_program(folder, active + "--out usual");
+  EXPECT_NE(usual.out.find("Energy: "), std::string::npos) << usual.out;
+  EXPECT_EQ(usual.out.find("the balance of energy gains"), std::string::npos) << usual.out;
+
+  const Outcome refused =
+      run_program(folder, active + "--out refused --set integrator/type=rosenbrock --set time/control/type=fixed --set \"time/control/largest gain=1e-4\"");
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_NE(refused.err.find("more than 0.0001 J"), std::string::npos) << refused.err;
+}
+
 TEST(Run, ResolvedSceneGivesTheSameNumbers)
 {
   const TestFolder folder;

@@ -189,7 +189,7 @@ TEST_P(ByError, goesOnFromASavedStateBitForBit)
 {
   struct Save : Keeper
   {
-    std::optional<std::string> accepted(const State &now, const std::size_t step) override
+    void accepted(const State &now, const std::size_t step) override
     {
       run->solvers.linear.forget();
       if (step == 12)
@@ -198,8 +198,8 @@ TEST_P(ByError, goesOnFromASavedStateBitForBit)
           run->control->save(control);
           state = now;
         }
-      return std::nullopt;
     }
+    std::optional<std::string> reason_to_stop(const State &, std::size_t) override { return std::nullopt; }
     void      ended(const State &, std::size_t) override {}
     Adaptive *run = nullptr;
     Archive   integrator, control;

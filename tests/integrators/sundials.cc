@@ -147,15 +147,15 @@ TEST_P(Sundials, goesOnFromASavedStateWithinTheTolerance)
 {
   struct Save : Keeper
   {
-    std::optional<std::string> accepted(const State &now, const std::size_t step) override
+    void accepted(const State &now, const std::size_t step) override
     {
       if (step == 12)
         {
           run->integrator->save(integrator);
           state = now;
         }
-      return std::nullopt;
     }
+    std::optional<std::string> reason_to_stop(const State &, std::size_t) override { return std::nullopt; }
     void       ended(const State &, std::size_t) override {}
     SelfPaced *run = nullptr;
     Archive    integrator;

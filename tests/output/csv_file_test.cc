@@ -39,6 +39,17 @@ TEST(CsvFile, EveryRowIsOnDiskAtOnce)
   EXPECT_EQ(folder.text("a.csv"), "Time [s],Force [N]\n0.025,-1.5\n");
 }
 
+TEST(CsvFile, WhatIsNoNumberIsAnEmptyCellAndNotedOnce)
+{
+  test::Folder       folder;
+  const OutputFolder outputs(folder.path);
+  CsvFile            csv(outputs, "a.csv", {"Time [s]", "Gearing", "Force [N]"});
+  for (const double t : {0., 1.})
+    csv.row(std::vector<double>{t, std::numeric_limits<double>::quiet_NaN(), 2});
+  EXPECT_EQ(folder.text("a.csv"), "Time [s],Gearing,Force [N]\n0,,2\n1,,2\n");
+  EXPECT_EQ(outputs.left_empty(), (std::map<std::string, std::set<std::string>>{{"a.csv", {"Gearing"}}}));
+}
+
 TEST(CsvFile, QuotesWhatWouldBreakATable)
 {
   test::Folder folder;

@@ -55,7 +55,12 @@ namespace
                folder.path)
     {}
 
-    std::optional<std::string> accepted(const std::size_t step) { return keeper.accepted(system.initial_state(0.1 * step), step); }
+    std::optional<std::string> accepted(const std::size_t step)
+    {
+      const State state = system.initial_state(0.1 * step);
+      keeper.accepted(state, step);
+      return keeper.reason_to_stop(state, step);
+    }
 
     /// Steps in the checkpoint, 0 if there is none.
     std::size_t saved() const

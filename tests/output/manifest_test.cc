@@ -16,7 +16,11 @@ TEST(Manifest, NamesWhatMadeTheRun)
   const std::string  started = iso8601_now();
   const OutputFolder outputs(folder.path);
   outputs.note("fields-*.vtu");
-  write_manifest(outputs, {"myolines run \"a scene.xml\"", "a scene.xml", started, "", {{"a scene.xml", "0123abcd"}}}, "done");
+  EnergyReport energy;
+  energy.drift     = -0.25;
+  energy.exchanged = 4;
+  energy.rise      = {0.1, 0.2, 0.5};
+  write_manifest(outputs, {"myolines run \"a scene.xml\"", "a scene.xml", started, "", {{"a scene.xml", "0123abcd"}}, energy}, "done");
 
   const nlohmann::json manifest = nlohmann::json::parse(folder.text("manifest.json"));
   EXPECT_EQ(manifest.at("program"), "myolines");
@@ -36,6 +40,9 @@ TEST(Manifest, NamesWhatMadeTheRun)
   EXPECT_TRUE(std::regex_match(manifest.at("finished").get<std::string>(), iso8601));
   EXPECT_GE(manifest.at("finished").get<std::string>(), started);
   EXPECT_EQ(manifest.at("inputs").at("a scene.xml"), "0123abcd");
+  EXPECT_EQ(manifest.at("energy").at("drift [J]"), -0.25);
+  EXPECT_EQ(manifest.at("energy").at("exchanged [J]"), 4);
+  EXPECT_EQ(manifest.at("energy").at("largest gain"), nlohmann::json::parse(R"({"size [J]": 0.5, "from [s]": 0.1, "to [s]": 0.2})"));
   EXPECT_EQ(manifest.at("files"), nlohmann::json::parse(R"(["fields-*.vtu", "manifest.json"])"));
 }
 

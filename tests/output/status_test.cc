@@ -105,3 +105,16 @@ TEST(StepsFile, OneRowPerAttempt)
   EXPECT_EQ(lines[2], "1,0.2,0.1,inadmissible,5,34,0,312,1.25e-09,,\"det F = -0.2, cell 3\"");
   EXPECT_EQ(lines[3], "2,0.15,0.05,accepted,5,34,0,312,1.25e-09,0.5,");
 }
+
+TEST(StepsFile, MethodsWithoutAResidualShowNone)
+{
+  test::Folder       folder;
+  const OutputFolder outputs(folder.path);
+  const auto         steps     = make_steps_file(outputs);
+  StepRecord         explicit_ = record(1, 0.1, 0.1);
+  explicit_.report.initial_residual = explicit_.report.final_residual = std::nullopt;
+  steps->accepted(State(), explicit_);
+  EXPECT_EQ(folder.lines("steps.csv")[1], "1,0.1,0.1,accepted,5,34,0,,,,");
+  EXPECT_EQ(outputs.left_empty().at("steps.csv").size(), 2u);
+  EXPECT_EQ(step_text(explicit_).find("residual"), std::string::npos);
+}

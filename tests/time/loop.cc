@@ -302,9 +302,9 @@ namespace
   /// Writes down in one list what keeper and observer are told.
   struct Diary : Keeper, Observer
   {
-    std::optional<std::string> accepted(const State &state, const std::size_t step) override
+    void accepted(const State &, const std::size_t step) override { entries.push_back("keep " + std::to_string(step)); }
+    std::optional<std::string> reason_to_stop(const State &state, std::size_t) override
     {
-      entries.push_back("keep " + std::to_string(step));
       return state.t >= stop_at ? std::optional<std::string>("asked to") : std::nullopt;
     }
     void ended(const State &, const std::size_t step) override { entries.push_back("kept " + std::to_string(step)); }
@@ -374,6 +374,20 @@ TEST(Loop, keepsTheLastAcceptedStateOfAFailedRun)
   EXPECT_THROW(run.go(), SolveError);
   ASSERT_EQ(run.diary.entries.size(), 6u);
   EXPECT_EQ(Entries(run.diary.entries.begin(), run.diary.entries.end() - 1), (Entries{"begin", "step 1", "keep 1", "kept 1", "last"}));
+}
+
+/// A signal makes a long solve fail: that is no failed step.
+TEST(Loop, anAttemptThatFailsBecauseTheRunIsAskedToStopEndsItThere)
+{
+  KeptTrial run;
+  run.fake.fails = [&](const double t, double) {
+    if (t > 0)
+      run.diary.stop_at = 0.5;
+    return t > 0;
+  };
+  EXPECT_THROW(run.go(), Interrupted);
+  EXPECT_EQ(run.diary.entries, (Entries{"begin", "step 1", "keep 1", "kept 1", "last", "end: asked to"}));
+  EXPECT_EQ(run.ledger.counted("rejected steps"), 0u);
 }
 
 TEST(Loop, asksNothingMoreOfRanksThatMayNotKnowOfAnError)

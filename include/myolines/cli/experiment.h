@@ -41,8 +41,8 @@ namespace myolines
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.
     void resume(const Checkpoint &checkpoint);
 
-    /// Advances to the end; keeps the run in @p folder. A signal for which @p stop_signal returns a number ends it (Interrupted).
-    void run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop_signal);
+    /// Advances to the end; keeps the run in @p folder. A signal for which @p stop returns a number ends it (Interrupted).
+    void run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop);
 
     /// Steps as planned, with landings on events, if every step succeeds.
     struct StepPlan
@@ -67,7 +67,9 @@ namespace myolines
     std::vector<const scene::Node *> intervals() const;
 
     void                  make_method();
+    int                   stop_signal() const; ///< the same on all ranks
     TimeMethod           &time_method() const;
+    void                  find_equilibrium(State &state);
 
     scene::Node                          scene_;
     std::map<std::string, std::string>   inputs_;
@@ -75,6 +77,7 @@ namespace myolines
     AssembledSystem                      assembled_;
     const IntegratorEntry               &method_;
     LoopSettings                         settings_;
+    std::function<int()>                 signal_; ///< of this rank, while the run runs
     LinearSolver                         linear_;
     NonlinearSolver                      nonlinear_;
     std::unique_ptr<ErrorNorm>           error_norm_;

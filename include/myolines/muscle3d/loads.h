@@ -26,7 +26,7 @@ namespace myolines
     bool any_external() const { return body_force_ != nullptr || !tractions_.empty(); }
 
     /// Power of the tractions and of the body force at velocity @p v on this rank [W].
-    double traction_power(double t, const Vector &v) const; ///< of pressures and of isotonic loads too
+    double traction_power(double t, Side side, const Vector &v) const; ///< of pressures and of isotonic loads too
     double body_force_power(double t, const Vector &v) const;
 
   private:

@@ -46,11 +46,12 @@ namespace myolines
     T total() const { return part[volumetric_part] + isochoric(); }
   };
 
-  /// Which points the slab averages use: those from 3/8 to 5/8 of the line of action, X_1 in [3/8 L, 5/8 L] of the thesis.
+  /// Which points of the muscle the slab averages use: those from 3/8 to 5/8 of the line of action, X_1 in [3/8 L, 5/8 L] of the thesis, or
+  /// those nearest to its middle if none is in there.
   enum class SlabRule
   {
     quadrature_points, ///< by quadrature point, (6.2.20)
-    whole_cells        ///< by cell centre with an exact comparison, as the peer
+    whole_cells        ///< by cell centre, as the peer
   };
 
   /// Rates of work at one state [W].
@@ -62,8 +63,8 @@ namespace myolines
     double body_force_power = 0;
     double traction_power   = 0; ///< of pressures, isotonic loads and far ends of tendons too
   };
-  /// Walks over the body only if it is active.
-  Powers measure_powers(const Muscle3dSystem &system, const State &state);
+  /// Walks over the body only if it is active. @p side here and below: the limit of given functions at a kink.
+  Powers measure_powers(const Muscle3dSystem &system, const State &state, Side side = Side::left);
 
   /// Integrals over the body at one state. Energies of the true balance are in joules; work-like densities (6.2.3)-(6.2.11) are in J/m^3 of
   /// current volume.
@@ -79,7 +80,7 @@ namespace myolines
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
     double               slab_volume      = 0; ///< current [m^3]
-    double               mean_stretch     = 0; ///< (6.2.22), |F a0|; means over a slab without a point of muscle are not numbers
+    double               mean_stretch     = 0; ///< (6.2.22), |F a0|; means of a body without muscle, or line of action, are not numbers
     double               mean_pennation   = 0; ///< (6.2.25), between fibre and line of action, neither with a sense [degree]
     double               mean_strain_rate = 0; ///< (6.2.21), non-dimensional, d|F a0|/dt / e0
     dealii::Tensor<1, 3> mean_velocity;        ///< (6.2.19) [m/s]
@@ -89,7 +90,7 @@ namespace myolines
     double min_jacobian    = 0; ///< smallest det F at a quadrature point
     double max_jacobian    = 0;
   };
-  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule);
+  BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule, Side side = Side::left);
 
   /// Size of the middle of the body: how far the nodes of the slab reach across the line of action [m].
   struct MiddleSize
@@ -118,7 +119,11 @@ namespace myolines
     double               power = 0; ///< its work rate, force times prescribed velocity [W]
     double               stop  = 0; ///< part of the force along n that the stop of an isotonic face pushes with [N]
   };
-  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state);
+  std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state, Side side = Side::left);
+
+  /// Kinetic and stored energy [J].
+  double      energy(const BodyMeasures &body);
+  EnergyRates energy_rates(const Powers &powers, const std::vector<Reaction> &reactions);
 
   /// Evaluates vectors of the system at fixed material points. @throws InputError naming the marker if one lies outside the body.
   struct Marker

@@ -36,9 +36,9 @@ namespace myolines
     std::vector<Tangent> tangents(double t, Side side, const Vector &u, bool symmetrised) const;
 
     // Of all ranks.
-    double               energy(double t, const Vector &u) const;                 ///< stored in foundations, tendons, stops [J]
-    double               power(double t, const Vector &u, const Vector &v) const; ///< of pressures and of far ends of tendons [W]
-    dealii::Tensor<1, 3> force(double t, const Vector &u, const BoundaryCondition &condition) const; ///< sum over the face [N]
+    double energy(double t, Side side, const Vector &u) const;                 ///< stored in foundations, tendons, stops [J]
+    double power(double t, Side side, const Vector &u, const Vector &v) const; ///< of pressures and of far ends of tendons [W]
+    dealii::Tensor<1, 3> force(double t, Side side, const Vector &u, const BoundaryCondition &condition) const; ///< sum over the face [N]
 
   private:
     /// What is fixed at a quadrature point: weight of the rule, and its part of the reference face.

@@ -41,6 +41,7 @@ namespace myolines
     std::unique_ptr<Linearisation>      make_linearisation() const override;
     void                                linearise(const Point &point, Linearisation &linearisation) const override;
     std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;
+    Energetics                          energetics(const State &state, Side side) const override;
     std::vector<double>                 events(double t0, double t1) const override;
 
     const OscillatorParameters &parameters() const { return parameters_; }

@@ -23,7 +23,7 @@ namespace myolines
     std::string                        scene;       ///< every value in force
     std::map<std::string, std::string> inputs;      ///< see Checkpoint
     std::function<void()>              forget;      ///< drops what solvers keep from step to step
-    std::function<int()>               stop_signal; ///< the signal that asks this rank to stop, 0 if none has come
+    std::function<int()>               stop_signal; ///< the signal that asks the run to stop, the same on all ranks; 0: none has come
   };
 
   /// Saves a run where its list `checkpoint` says so, where a signal stops it, and where it ends.
@@ -45,7 +45,8 @@ namespace myolines
     CheckpointKeeper(const scene::Node &checkpoint, RunParts run, const std::filesystem::path &folder);
 
     void                       begun(const State &state) override;
-    std::optional<std::string> accepted(const State &state, std::size_t step) override;
+    void                       accepted(const State &state, std::size_t step) override;
+    std::optional<std::string> reason_to_stop(const State &state, std::size_t step) override;
     void                       ended(const State &state, std::size_t step) override;
 
   private:

@@ -21,7 +21,8 @@ namespace myolines
     /// not take whole is not there.
     CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns);
 
-    /// One number per column; numbers read back exactly, and what is not a number leaves its cell empty. @throws std::logic_error if the count differs from the header.
+    /// One number per column; numbers read back exactly, and what is not a number leaves its cell empty (OutputFolder::leave_empty()).
+    /// @throws std::logic_error if the count differs from the header.
     void row(const std::vector<double> &values);
 
     /// One text per column; quoted where a comma, quote or line break asks for it (RFC 4180).
@@ -34,9 +35,10 @@ namespace myolines
     void go_on(const Archive &saved, const std::vector<std::string> &columns);
     void write(const std::vector<std::string> &texts);
 
+    OutputFolder                folder_;
     std::string                 name_;
     std::filesystem::path       path_;
-    std::size_t                 n_columns_;
+    std::vector<std::string>    columns_;
     std::size_t                 size_ = 0; ///< [bytes]
     Checksum                    checksum_;
     mutable std::optional<File> file_; ///< on the rank that writes

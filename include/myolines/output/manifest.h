@@ -2,6 +2,7 @@
 
 #include <myolines/output/output_folder.h>
 #include <myolines/system/ledger.h>
+#include <myolines/time/energy_balance.h>
 
 #include <filesystem>
 #include <map>
@@ -19,6 +20,7 @@ namespace myolines
     std::string                        started; ///< as iso8601_now() gives it
     std::string                        resumed; ///< from what; "" if the run began at its start
     std::map<std::string, std::string> inputs;  ///< files that it reads, with their checksums (CRC-32)
+    std::optional<EnergyReport>        energy;  ///< none: nobody looked at it
   };
 
   /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, input files, files noted in @p folder, exit reason;

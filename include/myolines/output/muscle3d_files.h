@@ -2,6 +2,7 @@
 
 #include <myolines/output/muscle3d_sample.h>
 #include <myolines/output/output_folder.h>
+#include <myolines/time/energy_balance.h>
 
 #include <functional>
 #include <memory>
@@ -17,9 +18,6 @@ namespace myolines
     virtual ~SeriesFile() = default;
 
     virtual void row(const Muscle3dSample &sample, std::size_t step) = 0;
-
-    /// After an accepted step without a row: for what accumulates over time.
-    virtual void pass(const Muscle3dSample &) {}
 
     /// As Observer::save().
     virtual void save(Archive &) const {}
@@ -51,13 +49,9 @@ namespace myolines
   /// of action, of their angle to it.
   std::unique_ptr<SeriesFile> fascicles_file(const OutputFolder &folder, const Muscle3dSystem &system, unsigned int number);
 
-  /// energy_balance.csv. Works are integrals over time of the powers, trapezoidal between accepted steps:
-  ///
-  ///     drift = kinetic + stored - (kinetic + stored at the start) - active work + dissipated - external work  [J].
-  ///
-  /// At a kink of a drive the power has two limits and the one before it is used: an error of first order in the one step
-  /// that follows.
-  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters);
+  /// energy_balance.csv: energies, and works and drift as @p balance has them when a row is written; borrowed.
+  std::unique_ptr<SeriesFile> energy_balance_file(const OutputFolder &folder, const Muscle3dParameters &parameters,
+                                                  const EnergyBalance &balance);
 
   /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), at every row, with L_f0 of
   /// reference_fibre_length(); empty while fibres are at rest. Physiological: 1 unless fibres change length faster than their maximum strain rate, 0 then.

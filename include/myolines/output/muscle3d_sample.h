@@ -33,6 +33,8 @@ namespace myolines
 
     const BodyMeasures                &body() const;
     Powers                             powers() const; ///< less work than body(), and none if that was measured
+    EnergyRates                        energy_rates() const;
+    Energetics                         energetics() const;
     const std::vector<Reaction>       &reactions() const;
     const Parts<dealii::Tensor<1, 3>> &face_force(unsigned int face) const;
 

@@ -3,6 +3,7 @@
 #include <myolines/system/archive.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -32,10 +33,17 @@ namespace myolines
     /// What has been noted: names relative to the folder and patterns.
     const std::set<std::string> &noted() const { return list_->names; }
 
+    /// Notes that cells of @p column in the table @p file are empty where there is no number for them.
+    void leave_empty(const std::string &file, const std::string &column) const { list_->empty[file].insert(column); }
+
+    /// Columns with such cells, by table; on the rank that writes.
+    const std::map<std::string, std::set<std::string>> &left_empty() const { return list_->empty; }
+
   private:
     struct List
     {
       std::set<std::string> names;
+      std::map<std::string, std::set<std::string>> empty;
       bool                  spares_others = false;
     };
     std::shared_ptr<List> list_;

@@ -46,6 +46,6 @@ namespace myolines
   /// "step 12  t 0.15 s  dt 0.0125 s  Newton 5  linear 34  residual 3.1e+02 -> 1.2e-09".
   std::string step_text(const StepRecord &record);
 
-  /// "accepted", "not converged", "inadmissible", "error too large".
+  /// "accepted", "not converged", "inadmissible", "error too large", "energy gained".
   std::string outcome_text(StepReport::Outcome outcome);
 } // namespace myolines

@@ -47,6 +47,7 @@ namespace myolines
     std::unique_ptr<Linearisation>      make_linearisation() const override;
     void                                linearise(const Point &point, Linearisation &linearisation) const override;
     std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;
+    Energetics                          energetics(const State &state, Side side) const override;
     std::vector<double>                 events(double t0, double t1) const override;
 
     const Rod1dParameters &parameters() const { return parameters_; }
@@ -57,6 +58,9 @@ namespace myolines
       double kinetic = 0, stored = 0;
     };
     Energy energy(const State &state) const;
+
+    /// Of the moving end alone, the only one that brings energy: a look at the last element.
+    EnergyRates energy_rates(const State &state) const;
 
     /// Position of node @p i [m].
     double position(unsigned int i) const;

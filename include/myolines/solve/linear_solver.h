@@ -4,6 +4,7 @@
 #include <myolines/system/ledger.h>
 #include <myolines/system/linearisation.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ namespace myolines
     unsigned int iterations        = 0;
     double       relative_residual = 0; ///< true |b - J x| / |b|
   };
+
+  /// True once the run is asked to stop: solves then fail at the next occasion. All ranks get the same answer, in the same order of calls.
+  using StopRequest = std::function<bool()>;
 
   /// Krylov solver (Belos) with a preconditioner by name, for C^T J C x = b on the free unknowns.
   ///
@@ -43,11 +47,14 @@ namespace myolines
     static std::vector<std::string> plan(const scene::Node &linear, const scene::Node &preconditioner, const Linearisation &linearisation,
                                          std::size_t n_unknowns, bool constant);
 
-    LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger);
+    LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger, StopRequest stop = {});
     ~LinearSolver();
 
     /// True if the scene leaves the choice of the preconditioner to the program.
     bool automatic() const;
+
+    /// Looked at before set-ups and in every iteration, by Newton's method too.
+    bool asked_to_stop() const;
 
     /// The next solve may build a fresh preconditioner: the operator has moved on to another time step or stage weight.
     void new_step();

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <myolines/system/energetics.h>
 #include <myolines/system/linearisation.h>
 #include <myolines/system/point.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -25,7 +27,7 @@ namespace myolines
     bool                      linear            = false; ///< K, C, M do not depend on u, v
     bool                      constant_mass     = true;
     bool                      symmetric_tangent = false; ///< K and C as linearised are symmetric
-    bool                      energy            = false; ///< the system can state its energies
+    bool                      energy            = false; ///< the system states its energy, see energetics()
     std::vector<unsigned int> orders            = {2};   ///< differential orders of the unknowns that occur
     std::vector<Split>        splits            = {};    ///< see implicit_part()
   };
@@ -77,6 +79,12 @@ namespace myolines
 
     /// Refills @p linearisation (from make_linearisation() of this system) at an admissible @p point.
     virtual void linearise(const Point &point, Linearisation &linearisation) const = 0;
+
+    /// Energy and its rates at an admissible @p state; @p side as of a Point. Of systems with Capabilities::energy only. Collective.
+    virtual Energetics energetics(const State & /*state*/, Side /*side*/) const
+    {
+      throw std::logic_error("the system does not state its energy");
+    }
 
     /// R_I of a split of capabilities(): a system with the same unknowns, constraints, prescribed motion, mass and events.
     /// F_E = R - R_I. This system outlives it. nullptr for other names.

@@ -71,7 +71,8 @@ namespace myolines
       accepted,
       not_converged,
       inadmissible,
-      error_too_large
+      error_too_large,
+      energy_gained
     };
     Outcome               outcome = Outcome::accepted;
     std::string           reason;
@@ -79,8 +80,8 @@ namespace myolines
     unsigned int          newton_iterations    = 0;
     unsigned int          linear_iterations    = 0;
     unsigned int          residual_evaluations = 0;
-    double                initial_residual     = 0; ///< l2 over free unknowns after the lift
-    double                final_residual       = 0;
+    std::optional<double> initial_residual; ///< l2 over free unknowns after the lift, of methods that iterate
+    std::optional<double> final_residual;
     std::optional<double> longest_step;   ///< that the method takes from here [s], where a step was refused for its length
     std::optional<double> error_estimate; ///< relative to the tolerances, if the method estimates it
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <myolines/time/energy_balance.h>
 #include <myolines/time/integrator.h>
 #include <myolines/time/step_control.h>
 
@@ -34,7 +35,8 @@ namespace myolines
     virtual ~Observer() = default;
     virtual void begin(const State &) {}                                         ///< initial state, before the first step
     virtual void resume(const State &, std::size_t /*accepted steps so far*/) {} ///< instead of begin() in a resumed run
-    virtual void restarted(const State &) {}                                     ///< at an event: the state with right limits
+    virtual void restarting(const State &) {}                                    ///< at an event: the state with left limits
+    virtual void restarted(const State &) {}                                     ///< then: with right limits
     virtual void accepted(const State &, const StepRecord &) {}                  ///< after every accepted step
     virtual void rejected(const StepRecord &) {}                                 ///< after every rejected attempt
 
@@ -42,6 +44,9 @@ namespace myolines
     /// of which other ranks may not know.
     virtual void last(const State &) {}
     virtual void end(const std::string & /*reason*/) {} ///< always called, also after a failure; "" if done
+
+    /// What it knows of the balance of energy, nullptr: nothing.
+    virtual const EnergyBalance *energy_balance() const { return nullptr; }
 
     /// What the observer must remember where a run is resumed. It gets it back when it is made.
     virtual void save(Archive &) const {}
@@ -56,8 +61,11 @@ namespace myolines
     /// The run begins with this state, after its observers; not in a resumed run.
     virtual void begun(const State &) {}
 
-    /// After every accepted step, after its observers. A text ends the run: why.
-    virtual std::optional<std::string> accepted(const State &state, std::size_t step) = 0;
+    /// After every accepted step, after its observers.
+    virtual void accepted(const State &state, std::size_t step) = 0;
+
+    /// Asked after every accepted step but the last, and after every attempt that failed. A text ends the run: why.
+    virtual std::optional<std::string> reason_to_stop(const State &state, std::size_t step) = 0;
 
     /// The run ends with this last accepted state: done, stopped, or unable to go on; before the observers know.
     virtual void ended(const State &state, std::size_t step) = 0;
@@ -85,7 +93,7 @@ namespace myolines
   /// Ledger: "accepted steps", "rejected steps", "restarts at events".
   /// @throws SolveError with reason, time and last step size when the control gives up, Interrupted when the keeper ends the
   /// run, SystemError with step and time where the system refuses (on the ranks that notice); observers were told before. What fails while
-  /// the run is closed is told behind the reason.
+  /// the run is closed is told behind the reason, as OnOneRank.
   void run_loop(const SemiDiscreteSystem &system, Integrator &integrator, StepControl &control, const LoopSettings &settings, State &state,
                 const std::vector<Observer *> &observers, WorkLedger &ledger, Keeper *keeper = nullptr);
 
