@@ -163,19 +163,6 @@ TEST(StudyProgram, QuantitiesWithoutAValueAreTold)
   EXPECT_NE(plot.err.find("there is nothing to draw"), std::string::npos) << plot.err;
 }
 
-TEST(StudyProgram, StudiesThatComeAlongAreValid)
-{
-  const TestFolder folder;
-  std::size_t      n = 0;
-  for (const auto &entry : std::filesystem::directory_iterator(myolines::test::source_folder() + "/input/studies"))
-    {
-      const ::Outcome outcome = run_program(folder, "study '" + entry.path().string() + "' --list");
-      EXPECT_EQ(outcome.exit_code, 0) << entry.path() << "\n" << outcome.err;
-      n += count(outcome.out, "\n  run ");
-    }
-  EXPECT_GT(n, 200u);
-}
-
 TEST(StudyProgram, BadInputIsToldBeforeAnythingRuns)
 {
   const StudyFolder folder;
