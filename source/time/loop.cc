@@ -91,7 +91,7 @@ namespace myolines
       {
         const double tolerance = std::max(time_tolerance(state_.t, size), rounding_);
         const auto   fixed     = std::upper_bound(landings_.begin(), landings_.end(), state_.t + tolerance);
-        if (fixed == landings_.end())
+        if (fixed == landings_.end() || *fixed >= settings_.end - tolerance)
           return settings_.end;
         const auto   behind = std::upper_bound(events_.begin(), events_.end(), *fixed + tolerance);
         const double last   = behind == events_.begin() ? *fixed : *std::prev(behind);
