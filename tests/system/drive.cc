@@ -195,7 +195,7 @@ TEST(Drive, BadPointsAreRefused)
   EXPECT_NE(refusal({{"type", "spline"}}).find("neither"), std::string::npos);
   EXPECT_NE(refusal({{"type", "smooth step"}, {"amplitude", "1"}, {"duration", "1"}, {"maximum rate", "1.5"}}).find("maximum rate"),
             std::string::npos);
-  EXPECT_NE(refusal({{"type", "ramp"}, {"amplitude", "1"}, {"start", "1"}, {"duration", "1e-14"}}).find("duration"), std::string::npos);
+  EXPECT_NE(refusal({{"type", "ramp"}, {"amplitude", "1"}, {"start", "1"}, {"duration", "1e-15"}}).find("duration"), std::string::npos);
 }
 
 TEST(Drive, PointsFromAFile)

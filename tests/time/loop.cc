@@ -178,6 +178,10 @@ TEST(Loop, timesThatAgreeAreOneTime)
   two.go({"end=0.5", "step=0.25"}, {0.3, kink});
   EXPECT_EQ(two.recorder.times, (std::vector<double>{0.25, kink, 0.5}));
   EXPECT_EQ(two.fake.starts, (std::vector<double>{0, kink}));
+  Trial distinct; // two events are two, and both are landed on, however near
+  distinct.go({"end=0.5", "step=0.25", "land on=0.300000000002"}, {0.3, 0.300000000001});
+  EXPECT_EQ(distinct.recorder.times, (std::vector<double>{0.25, 0.3, 0.300000000001, 0.5}));
+  EXPECT_EQ(distinct.fake.starts, (std::vector<double>{0, 0.3, 0.300000000001}));
   const double before = std::nextafter(0.5, 0.); // a landing or an event just before the end is the end
   for (const std::vector<double> &events : {std::vector<double>{}, std::vector<double>{before}})
     {
