@@ -4,6 +4,7 @@
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
+#include <myolines/system/instants.h>
 #include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/start.h>
@@ -113,7 +114,7 @@ namespace myolines
   void Experiment::refuse_tiny_steps() const
   {
     const scene::Node &time     = scene_.section("time");
-    const double       rounding = std::numeric_limits<double>::epsilon() * std::max(std::abs(settings_.start), std::abs(settings_.end));
+    const double       rounding = time_tolerance(std::max(std::abs(settings_.start), std::abs(settings_.end)));
     const auto         require  = [&](const scene::Node &list, const std::string &parameter, const double size, const std::string &kind) {
       if (size > rounding)
         return;

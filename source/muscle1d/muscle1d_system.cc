@@ -2,8 +2,8 @@
 
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/system/band_linearisation.h>
+#include <myolines/system/instants.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -134,7 +134,7 @@ namespace myolines
       r = std::numeric_limits<double>::quiet_NaN();
       return Evaluation{false, reason};
     };
-    if (point.t > p.input_end * (1 + 1e-12))
+    if (point.t > p.input_end && !same_time(point.t, p.input_end))
       return refused("the samples of the input end at " + std::to_string(p.input_end) + " s");
 
     std::vector<double> u, v, a, force(n_nodes(), 0.);
@@ -278,8 +278,6 @@ namespace myolines
     };
     add(solves_activation() ? parameters_.excitation.get() : parameters_.activation.get());
     add(parameters_.tendon ? parameters_.tendon->unit_length.get() : nullptr);
-    std::sort(kinks.begin(), kinks.end());
-    kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
-    return kinks;
+    return one_list(std::move(kinks));
   }
 } // namespace myolines

@@ -1,5 +1,6 @@
 #include <myolines/algebra/band_matrix.h>
 #include <myolines/muscle1d/sampled.h>
+#include <myolines/system/instants.h>
 
 #include <algorithm>
 #include <array>
@@ -70,11 +71,12 @@ namespace myolines
 
   bool SampledDrive::interval(const double t, const Side side, std::size_t &i) const
   {
-    const bool right = side == Side::right;
-    if (t < begin() || t > end() || (t == begin() && !right) || (t == end() && right))
+    const double tolerance = time_tolerance(std::max(std::abs(begin()), std::abs(end())));
+    if (!has_begun(begin(), t, side, tolerance) || has_begun(end(), t, side, tolerance))
       return false;
-    const auto next = right ? std::upper_bound(t_.begin(), t_.end(), t) : std::lower_bound(t_.begin(), t_.end(), t);
-    i               = next - t_.begin() - 1;
+    const double shifted = side == Side::right ? t + tolerance : t - tolerance;
+    const auto   next    = std::upper_bound(t_.begin() + 1, t_.end() - 1, shifted); // the intervals at both ends reach on
+    i                    = next - t_.begin() - 1;
     return true;
   }
 

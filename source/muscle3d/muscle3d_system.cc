@@ -4,6 +4,7 @@
 #include <myolines/fem/block_matrix.h>
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/system/instants.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -193,9 +194,6 @@ namespace myolines
         add(*condition.drive());
     for (const Drive *drive : parameters_.activation_drives())
       add(*drive);
-    std::sort(times.begin(), times.end());
-    const double tolerance = 1e-12 * std::max(std::abs(t0), std::abs(t1));
-    times.erase(std::unique(times.begin(), times.end(), [&](const double s, const double t) { return t - s <= tolerance; }), times.end());
-    return times;
+    return one_list(std::move(times));
   }
 } // namespace myolines

@@ -1,7 +1,7 @@
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/system/band_linearisation.h>
+#include <myolines/system/instants.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -168,8 +168,6 @@ namespace myolines
       if (drive)
         for (const double t : drive->kinks(t0, t1))
           times.push_back(t);
-    std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    return times;
+    return one_list(std::move(times));
   }
 } // namespace myolines

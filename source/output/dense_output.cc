@@ -1,5 +1,6 @@
 #include <myolines/output/csv_file.h>
 #include <myolines/output/dense_output.h>
+#include <myolines/system/instants.h>
 #include <myolines/time/combination.h>
 
 #include <algorithm>
@@ -72,17 +73,20 @@ namespace myolines
 
   void DenseOutput::begin(const State &state)
   {
-    if (first_from_(state.t) == state.t)
-      write(written_ = state.t, state);
-    next_ = after(state.t);
+    next_ = first_from_(state.t - time_tolerance(state.t));
+    if (same_time(next_, state.t))
+      {
+        write(written_ = next_, state);
+        next_ = after(next_);
+      }
     last_ = state;
   }
 
   void DenseOutput::accepted(const State &state, const StepRecord &record)
   {
-    const double same = 1e-9 * record.dt; // rounding in sums of steps does not make a time fall between two
-    for (; next_ <= state.t + same; next_ = after(next_))
-      write(written_ = next_, next_ >= state.t - same ? state : interpolate(last_, state, next_, inertia_));
+    const auto now = [&] { return same_time(next_, state.t, record.dt); };
+    for (; next_ <= state.t || now(); next_ = after(next_))
+      write(written_ = next_, now() ? state : interpolate(last_, state, next_, inertia_));
     last_ = state;
   }
 

@@ -1,4 +1,5 @@
 #include <myolines/system/drive_types.h>
+#include <myolines/system/instants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ namespace myolines
 
   double PiecewiseDrive::tolerance(const std::vector<ControlPoint> &points)
   {
-    return 1e-12 * std::max(std::abs(points.front().t), std::abs(points.back().t));
+    return time_tolerance(std::max(std::abs(points.front().t), std::abs(points.back().t)));
   }
 
   /// Piece k covers the time from its begin to the next begin. Near a begin the side decides.

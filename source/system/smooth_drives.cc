@@ -1,4 +1,5 @@
 #include <myolines/system/drive_types.h>
+#include <myolines/system/instants.h>
 
 #include <cmath>
 
@@ -58,7 +59,7 @@ namespace myolines
 
   double Power::derivative(const unsigned int order, const double t, const Side side) const
   {
-    if (order > exponent_ || t < start_ || (t == start_ && side == Side::left))
+    if (order > exponent_ || !has_begun(start_, t, side, time_tolerance(start_)))
       return 0;
     double value = amplitude_;
     for (unsigned int i = 0; i < order; ++i)

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <new>
 #include <sstream>
 
@@ -38,7 +39,6 @@ namespace myolines
       {
         if (settings.events != Events::ignore)
           events_ = system.events(settings.start, settings.end);
-        std::merge(events_.begin(), events_.end(), settings.landings.begin(), settings.landings.end(), std::back_inserter(landings_));
       }
       virtual ~Loop() = default;
 
@@ -84,17 +84,19 @@ namespace myolines
     protected:
       virtual void attempt() = 0;
 
-      /// What must be landed on next: events and given times, or the end. Times that agree within the tolerance of a step of @p size are
-      /// one time: what lies that close to the state is now, and of several the last event counts, or else the first.
+      /// What must be landed on next: an event, a given time, or the end. Events that are not the same instant are distinct however short
+      /// the steps between them, and of those that are the last one counts; given times give way to events and to the end where they agree
+      /// with them within the tolerance of a step of @p size.
       double next_fixed(const double size) const
       {
         const double tolerance = std::max(time_tolerance(state_.t, size), rounding_);
-        const auto   fixed     = std::upper_bound(landings_.begin(), landings_.end(), state_.t + tolerance);
-        if (fixed == landings_.end())
+        const double event = next(events_, rounding_), given = next(settings_.landings, tolerance);
+        if (given < event - tolerance)
+          return given < settings_.end - tolerance ? given : settings_.end;
+        if (!std::isfinite(event))
           return settings_.end;
-        const auto   behind = std::upper_bound(events_.begin(), events_.end(), *fixed + tolerance);
-        const double last   = behind == events_.begin() ? *fixed : *std::prev(behind);
-        return std::min(std::max(*fixed, last), settings_.end);
+        const double last = *std::prev(std::upper_bound(events_.begin(), events_.end(), event + rounding_));
+        return last < settings_.end - rounding_ ? last : settings_.end;
       }
 
       void tell_accepted(const StepRecord &record)
@@ -217,12 +219,18 @@ namespace myolines
             {}
       }
 
+      /// The first of @p times behind the present one, or infinity.
+      double next(const std::vector<double> &times, const double tolerance) const
+      {
+        const auto first = std::upper_bound(times.begin(), times.end(), state_.t + tolerance);
+        return first == times.end() ? std::numeric_limits<double>::infinity() : *first;
+      }
+
       bool at_event() const { return std::binary_search(events_.begin(), events_.end(), state_.t); }
 
       TimeMethod           &method_;
       Keeper               *keeper_;
       std::vector<double>   events_;
-      std::vector<double>   landings_;     ///< events and others
       double                rounding_;     ///< of times of the run [s]
       std::optional<double> restarted_at_; ///< once, also if steps from there are repeated
     };
@@ -251,8 +259,6 @@ namespace myolines
         const double fixed    = next_fixed(proposed);
         if (fixed <= target + merge)
           target = fixed;
-        if (settings_.end <= target + merge)
-          target = settings_.end;
         if (!planned && target - t < 2 * proposed && target - t > proposed + merge)
           proposed = (target - t) / 2; // rather two equal steps than a long and a very short one
         if (t + proposed < target - merge)

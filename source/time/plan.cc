@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace myolines
 {
-  double time_tolerance(const double t, const double size)
-  {
-    return std::max(1e-9 * size, 4 * std::numeric_limits<double>::epsilon() * std::abs(t));
-  }
-
   Plan::Plan(const double start, const double end, const double size)
     : pieces_({{start, end, size}})
   {}

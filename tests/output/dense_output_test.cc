@@ -96,6 +96,11 @@ TEST(DenseOutput, StartsThatAreNegativeOrLate)
   early.accepted(cubic(-0.4), step(-0.4, 0.7));
   early.accepted(cubic(0.3), step(0.3, 0.7));
   EXPECT_EQ(early.times, (std::vector<double>{-1, -0.75, -0.5, -0.25, 0, 0.25}));
+  Notes rounded(0.1, {folder.path}); // 3 x 0.1 is the double after 0.3
+  rounded.begin(cubic(0.3));
+  rounded.accepted(cubic(0.4), step(0.4, 0.1));
+  EXPECT_EQ(rounded.times, (std::vector<double>{3 * 0.1, 0.4}));
+  EXPECT_EQ(rounded.values[0], cubic(0.3).u(0)) << "the state of the start, not another one";
   Notes late(0.25, {folder.path}); // 4e10 instants before the first
   late.begin(cubic(1e10));
   late.accepted(cubic(1e10 + 0.6), step(1e10 + 0.6, 0.6));

@@ -178,6 +178,21 @@ TEST(Loop, timesThatAgreeAreOneTime)
   two.go({"end=0.5", "step=0.25"}, {0.3, kink});
   EXPECT_EQ(two.recorder.times, (std::vector<double>{0.25, kink, 0.5}));
   EXPECT_EQ(two.fake.starts, (std::vector<double>{0, kink}));
+  Trial distinct; // two events are two, and both are landed on, however near
+  distinct.go({"end=0.5", "step=0.25", "land on=0.300000000002"}, {0.3, 0.300000000001});
+  EXPECT_EQ(distinct.recorder.times, (std::vector<double>{0.25, 0.3, 0.300000000001, 0.5}));
+  EXPECT_EQ(distinct.fake.starts, (std::vector<double>{0, 0.3, 0.300000000001}));
+  const double before = std::nextafter(0.5, 0.); // a landing or an event just before the end is the end
+  for (const std::vector<double> &events : {std::vector<double>{}, std::vector<double>{before}})
+    {
+      std::ostringstream land;
+      land.precision(17);
+      land << "land on=" << before;
+      Trial last;
+      last.go({"end=0.5", "step=0.25", land.str()}, events);
+      EXPECT_EQ(last.recorder.times, (std::vector<double>{0.25, 0.5}));
+      EXPECT_EQ(last.fake.starts, std::vector<double>{0});
+    }
   Trial late; // roundings grow with the times
   late.go({"start=1e10", "end=10000000001", "step=0.5", "land on=10000000000.500002"}, {1e10 + 0.5});
   EXPECT_EQ(late.recorder.times, (std::vector<double>{1e10 + 0.5, 1e10 + 1}));

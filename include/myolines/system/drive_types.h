@@ -9,8 +9,8 @@ namespace myolines
   /// Polynomials of degree three between given times, constant before the first and after the last. The value is continuous;
   /// derivatives may jump at the given times, and where they do there is a kink.
   ///
-  /// A time within 1e-12 of the drive's time scale of a kink counts as the kink, so that rounding in sums of time steps
-  /// does not decide which side is taken.
+  /// A time that is the same instant as a kink (instants.h, at the largest time of the drive) counts as the kink, so that rounding does not
+  /// decide which side is taken.
   class PiecewiseDrive : public Drive
   {
   public:
@@ -33,7 +33,7 @@ namespace myolines
     static PiecewiseDrive spline(const std::vector<ControlPoint> &points);
     static PiecewiseDrive constant(double value);
 
-    /// Times that count as the same if @p points span the scale: 1e-12 of the largest |t|.
+    /// time_tolerance() of the largest |t| of @p points.
     static double tolerance(const std::vector<ControlPoint> &points);
 
     double              value(double t, Side side) const override;

@@ -1,13 +1,11 @@
 #pragma once
 
+#include <myolines/system/instants.h>
+
 #include <vector>
 
 namespace myolines
 {
-  /// Times about @p t differ if they are farther apart than this [s]: a billionth of a step of @p size, or, after a million steps,
-  /// round-off.
-  double time_tolerance(double t, double size);
-
   /// Planned steps from start to end: pieces of equal steps. Ends of steps are multiples, never accumulated sums, and the
   /// last one is the end bit for bit.
   class Plan
