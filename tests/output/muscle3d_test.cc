@@ -1,95 +1,6 @@
 // Requirement: the files of a muscle run hold what their headers say. Homogeneous motions of a block, whose measures have closed forms.
 
-#include <myolines/base/error.h>
-#include <myolines/fem/node_space.h>
-#include <myolines/muscle3d/discretisation.h>
-#include <myolines/muscle3d/measurements.h>
-#include <myolines/output/outputs.h>
-
-#include "folder.h"
-
-#include <cmath>
-#include <map>
-
-using namespace myolines;
-
-namespace
-{
-  const double pi = 3.14159265358979323846;
-
-  /// a(t) = 4 t.
-  class Ramp : public Drive
-  {
-  public:
-    double              value(const double t, Side) const override { return 4 * t; }
-    double              first_derivative(double, Side) const override { return 4; }
-    double              second_derivative(double, Side) const override { return 0; }
-    std::vector<double> kinks(double, double) const override { return {}; }
-  };
-
-  BoundaryCondition fixed(const std::string &name, const unsigned int face)
-  {
-    BoundaryCondition condition;
-    condition.name = name;
-    condition.face = face;
-    return condition;
-  }
-
-  /// 3 x 1 x 2 cm, eight cells along x so that the slab is exactly the two in the middle; pennation 30 degrees.
-  Muscle3dParameters block()
-  {
-    Muscle3dParameters p;
-    p.geometry.size            = {{0.03, 0.01, 0.02}};
-    p.geometry.cells           = {{8, 1, 1}};
-    p.geometry.refinement      = 0;
-    p.n_points                 = 3;
-    p.muscle().fibre.direction = {{std::cos(pi / 6), 0, std::sin(pi / 6)}};
-    p.activation               = std::make_shared<Ramp>();
-    return p;
-  }
-
-  using Diagonal = dealii::Point<3>;
-
-  /// u_c = stretch_c X_c, v_c = rate_c X_c + speed_c.
-  State homogeneous(const Muscle3dSystem &system, const double t, const Diagonal &stretch, const Diagonal &rate, const Diagonal &speed = {})
-  {
-    const NodeSpace &space = *system.discretisation().space;
-    State            state{t, space.make_vector(), space.make_vector(), space.make_vector()};
-    for (Vector *x : {&state.u, &state.v, &state.a})
-      x->zero_out_ghost_values();
-    for (unsigned int node = 0; node < system.n_unknowns() / 3; ++node)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          const double X        = space.node_position(node)[c];
-          state.u(3 * node + c) = stretch[c] * X;
-          state.v(3 * node + c) = rate[c] * X + speed[c];
-        }
-    for (Vector *x : {&state.u, &state.v, &state.a})
-      x->update_ghost_values();
-    return state;
-  }
-
-  std::string setting(const std::string &name, const std::string &type, const std::string &value)
-  {
-    return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
-  }
-
-  scene::Node output_scene(const std::string &series, const std::string &fields = "")
-  {
-    return scene::parse_scene("<ParameterList name=\"scene\"><ParameterList name=\"series\">" + series + "</ParameterList>" + fields +
-                                  "</ParameterList>",
-                              muscle3d_output_schema());
-  }
-
-  StepRecord step(const std::size_t number)
-  {
-    StepRecord record;
-    record.number = number;
-    return record;
-  }
-
-  bool is_there(const test::Folder &folder, const std::string &file) { return std::filesystem::exists(folder.path / file); }
-} // namespace
+#include "block.h"
 
 TEST(MuscleOutputs, HomogeneousMotionHasItsClosedForms)
 {
@@ -183,33 +94,6 @@ TEST(MuscleOutputs, HeadersAreThoseOfFlexodeal)
     EXPECT_EQ(folder.lines(file).at(0), header);
 }
 
-TEST(MuscleOutputs, EnergyOfAFreeBlockUnderABodyForceIsBalanced)
-{
-  // A free rigid block under the force f per volume: v = f t / rho, so kinetic energy and work of the force agree, and the
-  // trapezoidal rule is exact.
-  Muscle3dParameters p = block();
-  p.activation         = nullptr;
-  p.body_force         = std::array<std::string, 3>{{"3000", "0", "-1000"}};
-  test::Folder         folder;
-  WorkLedger           ledger;
-  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
-  const auto           observers = make_outputs(output_scene(setting("every", "int", "2")), system, folder.path, ledger);
-  const auto           at        = [&](const double t) { return homogeneous(system, t, {}, {}, {3000 / 1060. * t, 0, -1000 / 1060. * t}); };
-  observers[0]->begin(at(0));
-  for (const auto &[number, t] : {std::pair<std::size_t, double>{1, 0.01}, {2, 0.025}, {3, 0.03}, {4, 0.1}})
-    observers[0]->accepted(at(t), step(number));
-
-  const std::vector<std::string> lines = folder.lines("energy_balance.csv");
-  ASSERT_EQ(lines.size(), 4u); // header, start, steps 2 and 4; step 3 counts in the integral all the same
-  const std::vector<double> last = test::numbers(lines[3]);
-  const double              work = 0.03 * 0.01 * 0.02 * (3000. * 3000 + 1000. * 1000) / 1060 * 0.1 * 0.1 / 2;
-  EXPECT_NEAR(last[1], work, 1e-12 * work);
-  EXPECT_NEAR(last[7], work, 1e-12 * work);
-  EXPECT_NEAR(last[8], 0, 1e-12 * work);
-  for (const unsigned int column : {2, 3, 4, 5, 6})
-    EXPECT_NEAR(last[column], 0, 1e-12 * work) << column;
-}
-
 TEST(MuscleOutputs, MeasuresOnceAndOnlyWhatIsAskedFor)
 {
   Muscle3dParameters p = block();
@@ -270,67 +154,6 @@ TEST(MuscleOutputs, RareRowsCostOnlyWhenWritten)
   EXPECT_EQ(with["reaction measurements"], 7u);
   EXPECT_EQ(with["face force measurements"], 3u);
   EXPECT_EQ(with["power measurements"], 4u);
-}
-
-/// The first two have no point, and no centre of a cell, in the slab.
-TEST(MuscleOutputs, AveragesAreDefinedForEveryMesh)
-{
-  for (const auto &[cells, points, rule] : {std::tuple<unsigned int, unsigned int, SlabRule>{1, 4, SlabRule::quadrature_points},
-                                            {2, 3, SlabRule::whole_cells},
-                                            {2, 2, SlabRule::quadrature_points}})
-    {
-      Muscle3dParameters p = block();
-      p.geometry.cells     = {{cells, 1, 1}};
-      p.n_points           = points;
-      WorkLedger           ledger;
-      const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
-      const BodyMeasures   rest = measure_body(system, homogeneous(system, 0, {}, {}), rule);
-      EXPECT_NEAR(rest.mean_stretch, 1, 1e-14);
-      EXPECT_NEAR(rest.mean_pennation, 30, 1e-10);
-      EXPECT_GT(rest.slab_volume, 0);
-      EXPECT_LE(rest.slab_volume, 0.03 * 0.01 * 0.02 * (1 + 1e-12));
-
-      const BodyMeasures moving = measure_body(system, homogeneous(system, 0, {}, {}, {0.5, 0, 0}), rule);
-      EXPECT_NEAR(moving.mean_velocity[0], 0.5, 1e-14);
-    }
-}
-
-TEST(MuscleOutputs, TheEnergyOfAVelocityThatJumpsIsExternalWork)
-{
-  Muscle3dParameters p = block();
-  p.activation         = nullptr;
-  test::Folder         folder;
-  WorkLedger           ledger;
-  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
-  const auto           observers = make_outputs(output_scene(setting("every", "int", "3")), system, folder.path, ledger);
-  const auto           at        = [&](const double t, const double v) { return homogeneous(system, t, {}, {}, {v, 0, 0}); };
-  observers[0]->begin(at(0, 1));
-  observers[0]->accepted(at(0.1, 1), step(1)); // no row, so that the energy is looked at where the run restarts
-  observers[0]->restarting(at(0.1, 1));
-  observers[0]->restarted(at(0.1, 3));
-  observers[0]->accepted(at(0.2, 3), step(2));
-  observers[0]->accepted(at(0.3, 3), step(3));
-  const std::vector<double> last    = test::numbers(folder.lines("energy_balance.csv").back());
-  const double              kinetic = 0.03 * 0.01 * 0.02 * 1060 / 2;
-  EXPECT_NEAR(last[7], (9 - 1) * kinetic, 1e-12);
-  EXPECT_NEAR(last[8], 0, 1e-12);
-  EXPECT_NEAR(observers[0]->energy_balance()->report().exchanged, kinetic, 1e-12);
-}
-
-TEST(MuscleOutputs, PowersAloneAreThoseOfAllMeasures)
-{
-  Muscle3dParameters p = block();
-  p.body_force         = std::array<std::string, 3>{{"3000", "0", "-1000"}};
-  WorkLedger           ledger;
-  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
-  const State          state  = homogeneous(system, 0.1, {0.1, -0.03, -0.02}, {-2, 0.5, 0.25});
-  const BodyMeasures   body   = measure_body(system, state, SlabRule::quadrature_points);
-  const Powers         powers = measure_powers(system, state);
-  EXPECT_NE(powers.active_power, 0);
-  EXPECT_DOUBLE_EQ(powers.active_power, body.active_power);
-  EXPECT_DOUBLE_EQ(powers.dissipation, body.dissipation);
-  EXPECT_DOUBLE_EQ(powers.body_force_power, body.body_force_power);
-  EXPECT_NE(powers.body_force_power, 0);
 }
 
 TEST(MuscleOutputs, AResumedRunLeavesTheSameFiles)
