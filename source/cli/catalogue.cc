@@ -4,6 +4,7 @@
 #include <myolines/muscle1d/isometric_chain.h>
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/muscle3d/plausibility.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/outputs.h>
@@ -38,6 +39,7 @@ namespace myolines
 
       AssembledSystem assembled = assemble(std::move(system), ledger);
       assembled.plan            = std::move(plan);
+      assembled.warnings        = implausible_values(parameters);
       if (parameters.dynamic && parameters.degree == 2 && parameters.n_points < 4)
         assembled.warnings.push_back("dynamic runs of degree 2 want at least 4 quadrature points per direction, this scene has " +
                                      std::to_string(parameters.n_points));

@@ -131,7 +131,7 @@ namespace myolines
       BoundaryCondition condition;
       condition.name         = node.name();
       condition.scene_path   = node.where("face");
-      condition.face         = read_face(node, "face", face_names(geometry));
+      condition.face         = read_face(node, "face", geometry);
       const std::string type = node.text("type");
       if (type == "fixed" || type == "strain" || type == "formula")
         condition.components = read_components(node);

@@ -28,7 +28,7 @@ namespace myolines
                    "force_data-3d.csv: x component of the interior-point estimate (6.2.15) on the force face, by part of the stress.")
           .text("force face", moving_face,
                 "Face of force_data-3d.csv, by a name of the geometry; the moving face is that of the first condition of type strain, else "
-                "x+.")
+                "x+ (of a mesh, its second face).")
           .boolean("all faces", false, "force_data-3d-NNN.csv: the estimate on all faces, one file per row of the other series.")
           .boolean("reactions", true, "reaction.csv: force with which each prescribed boundary condition pulls on the muscle.")
           .boolean("energies", true, "energy_data-3d.csv: work-like densities (6.2.2)-(6.2.11).")
@@ -48,18 +48,12 @@ namespace myolines
 
     unsigned int force_face(const Node &series, const Muscle3dParameters &parameters)
     {
-      const std::string name = series.text("force face");
-      if (const std::vector<std::string> &faces = face_names(parameters.geometry); name != moving_face)
-        {
-          const auto found = std::find(faces.begin(), faces.end(), name);
-          if (found == faces.end())
-            series.refuse("force face", "the body has no face \"" + name + "\"", "one of " + join(faces));
-          return static_cast<unsigned int>(found - faces.begin());
-        }
+      if (series.text("force face") != moving_face)
+        return read_face(series, "force face", parameters.geometry);
       for (const BoundaryCondition &condition : parameters.boundary)
         if (condition.type == BoundaryCondition::Type::strain)
           return condition.face;
-      return 1;
+      return face_names(parameters.geometry).size() > 1 ? 1 : 0;
     }
 
     std::vector<std::unique_ptr<SeriesFile>> make_files(const Node &series, const Muscle3dSystem &system, const OutputFolder &folder)

@@ -6,7 +6,8 @@ namespace myolines
   {
     std::vector<Marker> end_markers(const Geometry &body, const unsigned int force_face)
     {
-      return {{"x-", face_centre(body, 0)}, {"x+", face_centre(body, 1)}, {"force face", face_centre(body, force_face)}};
+      const auto ends = end_centres(body);
+      return {{"x-", ends[0]}, {"x+", ends[1]}, {"force face", face_centre(body, force_face)}};
     }
   } // namespace
 

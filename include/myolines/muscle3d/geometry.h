@@ -1,7 +1,7 @@
 #pragma once
 
 #include <myolines/fem/node_space.h>
-#include <myolines/muscle3d/gmsh_body.h>
+#include <myolines/muscle3d/mesh_body.h>
 #include <myolines/scene/scene.h>
 
 #include <array>
@@ -38,18 +38,24 @@ namespace myolines
     unsigned int                refinement = 3;           ///< global refinements of the coarse cells
     double distortion = 0; ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
     std::optional<Gastrocnemius>    gastrocnemius;
-    std::shared_ptr<const GmshBody> gmsh; ///< with neither: a block
+    std::shared_ptr<const MeshBody> mesh; ///< with neither: a block
 
     /// Where the body begins along x [m].
-    double start() const { return gmsh ? gmsh->low[0] : 0; }
+    double start() const { return mesh ? mesh->low[0] : 0; }
   };
 
   /// Names of the faces by number. Of a block: x-, x+, y-, y+, z-, z+. Of the gastrocnemius: x- and x+ are the ends of the lower and
-  /// of the upper layer, z- and z+ their outsides, "muscle x-" and "muscle x+" the ends of everything else. Of a Gmsh file: its own.
+  /// of the upper layer, z- and z+ their outsides, "muscle x-" and "muscle x+" the ends of everything else. Of a mesh: its own, those by place, and the rest.
   const std::vector<std::string> &face_names(const Geometry &geometry);
 
-  /// Centre of a face [m]; of a Gmsh file: the vertex nearest to it.
+  /// Number of the face that @p parameter names. @throws InputError with the nearest one.
+  unsigned int read_face(const scene::Node &node, const std::string &parameter, const Geometry &geometry);
+
+  /// Centre of a face [m]; of a mesh: the vertex nearest to it.
   dealii::Point<3> face_centre(const Geometry &geometry, unsigned int face);
+
+  /// Centres of the two faces at the ends of the body [m]: of a mesh the first two, or where it names fewer its outermost vertices along x.
+  std::array<dealii::Point<3>, 2> end_centres(const Geometry &geometry);
 
   /// Tissues (tissue_kinds()) that the cells of the body are made of, by name.
   std::vector<std::string> tissues_of(const Geometry &geometry);
