@@ -7,7 +7,7 @@ release=$root/build/release
 debug=$root/build/debug
 
 packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundials-dev libopenmpi-dev openmpi-bin
-          libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev zlib1g-dev libgmsh-dev numdiff
+          libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev zlib1g-dev numdiff
           gnuplot-nox python3)
 
 # MPI starts as root and with more ranks than cores (containers); one thread per rank, or the ranks fight for cores.

@@ -1,9 +1,11 @@
-"""Hexahedral meshes that are a bent box of N[0] x N[1] x N[2] cells, and their Gmsh files (2.2, ASCII)."""
+"""Meshes that are a bent box of N[0] x N[1] x N[2] hexahedra, or six times as many tetrahedra, and their files: Gmsh (2.2, ASCII) and VTK (XML, ASCII)."""
 import math
 
 # Corners of a cell, and those of its faces by axis and side.
 CORNERS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
 AROUND = [(0, 0), (1, 0), (1, 1), (0, 1)]
+# Tetrahedra of a cell, all along its longest diagonal, so that those of neighbours fit.
+TETRAHEDRA = [(0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6)]
 
 
 ROUNDNESS = 0.75
@@ -78,3 +80,45 @@ class StructuredMesh:
             for n, (kind, group, nodes) in enumerate(elements, 1):
                 out.write(f"{n} {kind} 2 {group} {group} " + " ".join(str(v + 1) for v in nodes) + "\n")
             out.write("$EndElements\n")
+
+    def write_vtu(self, path, fibres, tetrahedra, digits=7):
+        """fibres: a vector for each point, the array "fibre". Faces and cells have the array "group", whose names are told as well."""
+        groups = {}
+        for dimension, elements in ((2, self.faces), (3, self.cells)):
+            for name, _ in elements:
+                groups.setdefault((dimension, name), len(groups) + 1)
+        elements = []  # type of VTK, group, points
+        for dimension, named in ((3, self.cells), (2, self.faces)):
+            for name, nodes in named:
+                if name is None:
+                    continue
+                number = groups[dimension, name]
+                if not tetrahedra:
+                    elements.append((12 if dimension == 3 else 9, number, nodes))
+                elif dimension == 3:
+                    elements += [(10, number, [nodes[v] for v in part]) for part in TETRAHEDRA]
+                else:
+                    elements += [(5, number, [nodes[v] for v in part]) for part in ((0, 1, 2), (0, 2, 3))]
+        names = [f"{dimension} {number} {name}" for (dimension, name), number in groups.items() if name is not None]
+        ends = [0]
+        for _, _, nodes in elements:
+            ends.append(ends[-1] + len(nodes))
+
+        def array(kind, name, rows, components=1):
+            return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">\n' + "\n".join(rows) + "\n</DataArray>\n")
+
+        def vectors(rows):
+            return [" ".join(f"{x:.{digits}g}" for x in row) for row in rows]
+
+        with open(path, "w") as out:
+            out.write('<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">\n<UnstructuredGrid>\n<FieldData>\n'
+                      f'<Array type="String" Name="names of groups" NumberOfTuples="{len(names)}" format="ascii">\n')
+            for name in names:
+                out.write(" ".join(str(b) for b in name.encode()) + " 0\n")
+            out.write(f'</Array>\n</FieldData>\n<Piece NumberOfPoints="{len(self.points)}" NumberOfCells="{len(elements)}">\n<PointData>\n')
+            out.write(array("Float64", "fibre", vectors(fibres), 3))
+            out.write("</PointData>\n<CellData>\n" + array("Int32", "group", [str(group) for _, group, _ in elements]))
+            out.write("</CellData>\n<Points>\n" + array("Float64", "Points", vectors(self.points), 3) + "</Points>\n<Cells>\n")
+            out.write(array("Int32", "connectivity", [" ".join(map(str, nodes)) for _, _, nodes in elements]))
+            out.write(array("Int32", "offsets", [str(end) for end in ends[1:]]) + array("UInt8", "types", [str(kind) for kind, _, _ in elements]))
+            out.write("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")

@@ -5,6 +5,7 @@
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/muscle3d/body_facts.h>
 #include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/muscle3d/plausibility.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/outputs.h>
@@ -40,6 +41,7 @@ namespace myolines
       const std::string why_no_line = system->line_of_action().why_none;
       AssembledSystem   assembled   = assemble(std::move(system), ledger);
       assembled.plan                = std::move(plan);
+      assembled.warnings            = implausible_values(parameters);
       assembled.measure = [&body = dynamic_cast<const Muscle3dSystem &>(*assembled.system)] { return body_facts(body); };
       if (!why_no_line.empty())
         assembled.warnings.push_back("there is no line of action: " + why_no_line +

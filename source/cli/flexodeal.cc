@@ -3,12 +3,13 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/flexodeal.h>
 #include <myolines/cli/prm_file.h>
-#include <myolines/muscle3d/parameters.h>
+#include <myolines/muscle3d/plausibility.h>
 #include <myolines/output/text_file.h>
 #include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/time/step_control.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -157,11 +158,12 @@ namespace myolines
         return *value;
       }
 
-      [[noreturn]] void refuse(const std::string &section, const std::string &name, const std::string &expected) const
+      [[noreturn]] void refuse(const std::string &section, const std::string &name, const std::string &expected,
+                               const std::string &hint = "") const
       {
         const PrmEntry &entry = *find(section, name);
         throw InputError(InputProblem{file_ + ", line " + std::to_string(entry.line),
-                                      name + " = \"" + entry.text + "\" cannot be carried over", expected, ""});
+                                      name + " = \"" + entry.text + "\" cannot be carried over", expected, hint});
       }
 
     private:
@@ -242,7 +244,7 @@ namespace myolines
 
     void add_mesh(Settings &settings, const PeerParameters &peer, const FlexodealOptions &options)
     {
-      settings.push_back({"system/geometry/type", "gmsh"});
+      settings.push_back({"system/geometry/type", "mesh"});
       settings.push_back({"system/geometry/file", std::filesystem::proximate(options.mesh, options.scene.parent_path()).string()});
       settings.push_back({"system/geometry/scale", format_number(peer.positive("Geometry", "Grid scale"))});
       settings.push_back({"system/geometry/refinement", std::to_string(peer.integer("Geometry", "Global refinement", 0, 8))});
@@ -324,6 +326,15 @@ namespace myolines
         out << "not carried over: Materials / QP list filename = " << entry->text << " (give the file with --qp-table)\n";
     }
 
+    /// Without a mesh the body is the gastrocnemius between its layers.
+    bool has_aponeurosis(const FlexodealOptions &options)
+    {
+      if (options.mesh.empty())
+        return true;
+      const std::vector<std::string> tissues = MeshBody(options.mesh, 1, options.mesh.string()).tissues;
+      return std::find(tissues.begin(), tissues.end(), "aponeurosis") != tissues.end();
+    }
+
     Settings translate(const FlexodealOptions &options, const PeerParameters &peer, std::ostream &out)
     {
       const std::string inertia = peer.text("Finite element system", "Type of simulation");
@@ -339,9 +350,14 @@ namespace myolines
           settings.push_back({"system/tissues/muscle/fat/type", "neo-hookean"});
           settings.push_back({"system/tissues/muscle/fat/fraction", fat != nullptr ? fat->text : "0"});
         }
+      const std::string pennation = "system/geometry/pennation angle", layers = "system/tissues/aponeurosis";
       for (const Rule &rule : peer.rules())
-        if (rule.path[0] != '\0')
-          settings.push_back({rule.path, peer.text(rule.section, rule.name)});
+        if (const std::string path = rule.path; !path.empty())
+          {
+            if (path.rfind(layers, 0) == 0 && !has_aponeurosis(options))
+              continue;
+            settings.push_back({path == pennation && !options.mesh.empty() ? "system/fibres/angle" : path, peer.text(rule.section, rule.name)});
+          }
       if (options.mesh.empty())
         add_geometry(settings, peer, out);
       else
@@ -361,13 +377,15 @@ namespace myolines
     }
 
     /// The text of the scene, read back through the validation that `run` does.
-    std::string validated(const Settings &settings, const std::filesystem::path &file)
+    std::string validated(const Settings &settings, const std::filesystem::path &file, const PeerParameters &peer)
     {
       const std::string   name   = file.string();
       const scene::Schema schema = root_schema(system_entry("muscle 3d", name));
       const std::string   xml    = scene::written_xml(scene::compose_scene(schema, settings, name, file.parent_path()));
       const scene::Node   again  = scene::parse_scene(xml, schema, name, file.parent_path());
-      read_muscle3d(again.section("system"));
+      if (const Geometry body = read_muscle3d(again.section("system")).geometry; body.mesh)
+        if (const std::string wrong = implausible_size(body); !wrong.empty())
+          peer.refuse("Geometry", "Grid scale", "the factor that makes metres of the coordinates of the mesh", wrong);
       make_step_control(again.section("time"));
       return xml;
     }
@@ -376,7 +394,7 @@ namespace myolines
   void import_flexodeal(const FlexodealOptions &options, std::ostream &out)
   {
     const PeerParameters peer(options.parameters);
-    const std::string    xml = validated(translate(options, peer, out), options.scene);
+    const std::string    xml = validated(translate(options, peer, out), options.scene, peer);
     on_writing_rank(options.scene.string(), "a path in a folder that exists and can be written", "",
                     [&] { replace_file(options.scene, xml); });
     name_what_is_lost(peer, !options.markers.empty(), !options.points.empty(), out);

@@ -50,6 +50,7 @@ namespace myolines
             "(disk, memory, permission).");
         add_run();
         add_check();
+        add_mesh();
         add_modes();
         add_point();
         add_study();
@@ -109,6 +110,15 @@ namespace myolines
         CLI::App *command =
             add(app, "check", "Validates a scene and says what a run would do", [this] { check_command(run.scene, run.overrides, out_); });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        add_overrides(command);
+      }
+
+      void add_mesh()
+      {
+        CLI::App *command = add(app, "mesh", "Writes the mesh of a scene to a file",
+                                [this] { mesh_command(run.scene, run.overrides, mesh_, out_); });
+        command->add_option("scene", run.scene, "A scene of a three-dimensional muscle")->required()->type_name("SCENE.xml");
+        command->add_option("--out", mesh_, "The file: VTK (.vtu) or Gmsh (.msh)")->required()->type_name("FILE");
         add_overrides(command);
       }
 
@@ -244,7 +254,7 @@ namespace myolines
         command->add_option("--markers", flexodeal_.markers, "Its list of markers")->type_name("FILE");
         command->add_option("--qp-table", flexodeal_.points, "Its CSV file of properties at quadrature points")->type_name("FILE");
         CLI::Option *mesh =
-            command->add_option("--mesh", flexodeal_.mesh, "A Gmsh file instead of the body of the parameters")->type_name("FILE.msh");
+            command->add_option("--mesh", flexodeal_.mesh, "A mesh (Gmsh, VTK, Abaqus) instead of the body of the parameters")->type_name("FILE");
         CLI::Option *ends = command->add_option("--ends", flexodeal_.ends, "Names of its physical surfaces that are the faces x- and x+");
         ends->expected(2)->type_name("SURFACE SURFACE")->needs(mesh);
         mesh->needs(ends);
@@ -259,7 +269,7 @@ namespace myolines
       study::Options        study_;
       CompareOptions        compare_;
       study::PlotOptions    plot_;
-      std::filesystem::path modes_;
+      std::filesystem::path modes_, mesh_;
       PointOptions          point_;
       ModesAlongOptions     along_;
     };

@@ -77,7 +77,7 @@ namespace myolines
         return;
       }
     const Muscle3dParameters parameters = read_muscle3d(system);
-    if (parameters.geometry.gastrocnemius || parameters.geometry.gmsh || parameters.geometry.distortion > 0)
+    if (parameters.geometry.gastrocnemius || parameters.geometry.mesh || parameters.geometry.distortion > 0)
       throw InputError(InputProblem{file.string(), "the body is not a block of equal cells", "runs of blocks without distortion", ""});
     WorkLedger           ledger;
     const Muscle3dSystem muscle(parameters, MPI_COMM_SELF, ledger);

@@ -22,8 +22,8 @@ namespace myolines
   scene::Schema fields_schema()
   {
     return scene::Schema(
-               "What varies within the body, from formulas of the reference position x, y, z [m] and of volume (the number of the physical "
-               "volume in Gmsh, 0 in other bodies), or from a table.")
+               "What varies within the body, from formulas of the reference position x, y, z [m] and of volume (the number of the group "
+               "of the cell in a mesh, 0 in other bodies), or from a table.")
         .optional_text("maximum isometric stress", "sigma0 of the muscle fibres [Pa], a formula.")
         .optional_text("fat fraction",
                        "Fat in the muscle [-], a formula with values in [0, 1]; the law is that of tissues/muscle/fat or its default.")
@@ -37,7 +37,9 @@ namespace myolines
         .optional_file(
             "table",
             "CSV of points: qp_x, qp_y, qp_z and any of max_iso_stress_muscle, muscle_fibre_orientation_x, _y, _z, "
-            "fat_fraction, activation_scale, matrix_fraction, tissue_id; each place takes the nearest row. Comes after the formulas.");
+            "fat_fraction, activation_scale, matrix_fraction, tissue_id; each place takes the nearest row. Or a mesh of VTK with arrays of "
+            "these names of its cells or points (muscle_fibre_orientation, or fibre, has three components). Comes after the formulas.")
+        .text("table scale", "1", "Unit of the coordinates in the table (m, cm, mm, um), or their factor to metres.");
   }
 
   BodyFields read_fields(const Node &node)
@@ -49,7 +51,7 @@ namespace myolines
     fields.matrix           = formula_or_none(node, "matrix fraction");
     fields.tissue           = formula_or_none(node, "tissue");
     if (node.has("table"))
-      fields.table = std::make_shared<PointProperties>(node.file("table"));
+      fields.table = std::make_shared<PointProperties>(node.file("table"), read_unit(node, "table scale"));
     return fields;
   }
 

@@ -175,7 +175,7 @@ namespace myolines
       BoundaryCondition condition;
       condition.name         = node.name();
       condition.scene_path   = node.where("face");
-      condition.face         = read_face(node, "face", face_names(geometry));
+      condition.face         = read_face(node, "face", geometry);
       const std::string type = node.text("type");
       if (type == "fixed" || type == "strain" || type == "formula")
         condition.components = read_components(node);
@@ -213,7 +213,7 @@ namespace myolines
     /// What follows from the directions of all conditions.
     void finish(const Node &node, const Geometry &geometry, const LineChoice &line, BoundaryCondition &condition)
     {
-      if (geometry.gmsh && has_direction(condition) && !node.has("direction"))
+      if (geometry.mesh && has_direction(condition) && !node.has("direction"))
         condition.direction = default_direction(node, line, condition.face);
       if (condition.type != BoundaryCondition::Type::strain)
         return;

@@ -2,9 +2,11 @@
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/formula.h>
+#include <myolines/scene/numbers.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace myolines
@@ -43,13 +45,20 @@ namespace myolines
     return text;
   }
 
-  unsigned int read_face(const Node &node, const std::string &parameter, const std::vector<std::string> &faces)
+  double read_unit(const Node &node, const std::string &parameter)
   {
-    const std::string name  = node.text(parameter);
-    const auto        found = std::find(faces.begin(), faces.end(), name);
-    if (found == faces.end())
-      node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces), nearest_hint(name, faces));
-    return static_cast<unsigned int>(found - faces.begin());
+    static const std::map<std::string, double> metres{{"m", 1}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 1e-3}, {"um", 1e-6}, {"inch", 0.0254}};
+    const std::string                          text = scene::trimmed(node.text(parameter));
+    if (const auto unit = metres.find(text); unit != metres.end())
+      return unit->second;
+    std::vector<std::string> names;
+    for (const auto &[name, factor] : metres)
+      names.push_back(name);
+    const auto number = scene::parse_number(text);
+    if (!number || !(*number > 0))
+      node.refuse(parameter, "\"" + text + "\" is neither a unit nor a factor",
+                  "one of " + join(names) + ", or a number > 0: metres per unit of the file", nearest_hint(text, names));
+    return *number;
   }
 
   std::array<double, 3> unit_vector(const std::array<double, 3> &v, const Node &node, const std::string &parameter)

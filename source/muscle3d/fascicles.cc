@@ -347,7 +347,7 @@ namespace myolines
   {
     const Muscle3dParameters &p       = system.parameters();
     const bool                uniform = p.fields.direction[0].empty() && !p.fields.laplace && !p.fields.table;
-    if (!p.geometry.gmsh && uniform)
+    if (!p.geometry.mesh && uniform)
       return p.fibre_length();
     constexpr unsigned int    enough = 100;
     const std::vector<double> lengths(Fascicles(system, enough).rest_lengths());

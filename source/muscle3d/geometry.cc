@@ -1,6 +1,8 @@
+#include <myolines/base/names.h>
 #include <myolines/fem/distortion.h>
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/geometry.h>
+#include <myolines/muscle3d/mesh_schema.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/grid/grid_tools.h>
@@ -114,31 +116,21 @@ namespace myolines
 
   namespace
   {
-    void make_gmsh(const Geometry &geometry, NodeSpace::Mesh &mesh)
+    void make_from_file(const Geometry &geometry, NodeSpace::Mesh &mesh)
     {
-      std::vector<dealii::CellData<3>> cells = geometry.gmsh->cells;
+      std::vector<dealii::CellData<3>> cells = geometry.mesh->cells;
       dealii::GridTools::consistently_order_cells(cells);
-      mesh.create_triangulation(geometry.gmsh->vertices, cells, geometry.gmsh->faces);
+      mesh.create_triangulation(geometry.mesh->vertices, cells, geometry.mesh->faces);
       mesh.refine_global(geometry.refinement);
     }
 
-    Schema gmsh_schema()
-    {
-      Schema schema("A hexahedral mesh from a file that Gmsh reads: physical volumes are tissues by name, perhaps with more words behind "
-                    "it (or 1 muscle, 2 aponeurosis, 3 tendon), physical surfaces name the faces. The line of action is x.");
-      schema.file("file", "Mesh, any version and encoding of Gmsh.")
-          .number("scale", 1, "-", Range::positive(), "Factor of the coordinates: 0.001 for a mesh in millimetres.")
-          .integer("refinement", 0, Range::closed(0, 6), "Each refinement halves the cells in all directions.");
-      return schema;
-    }
-
-    Geometry read_gmsh(const scene::Node &node)
+    Geometry read_body_of_mesh(const scene::Node &node)
     {
       Geometry geometry;
-      geometry.gmsh       = std::make_shared<const GmshBody>(node.file("file"), node.number("scale"), node.where("file"));
+      geometry.mesh       = read_mesh_body(node);
       geometry.refinement = static_cast<unsigned int>(node.integer("refinement"));
       // As many cells per direction as if they were cubes that fill the box around the body.
-      const GmshBody &body = *geometry.gmsh;
+      const MeshBody &body = *geometry.mesh;
       double          box  = 1;
       for (unsigned int c = 0; c < 3; ++c)
         {
@@ -170,13 +162,31 @@ namespace myolines
   {
     static const std::vector<std::string> of_block{"x-", "x+", "y-", "y+", "z-", "z+"};
     static const std::vector<std::string> of_gastrocnemius{"x-", "x+", "y-", "y+", "z-", "z+", "muscle x-", "muscle x+"};
-    return geometry.gmsh ? geometry.gmsh->face_names : geometry.gastrocnemius ? of_gastrocnemius : of_block;
+    return geometry.mesh ? geometry.mesh->face_names : geometry.gastrocnemius ? of_gastrocnemius : of_block;
+  }
+
+  unsigned int read_face(const scene::Node &node, const std::string &parameter, const Geometry &geometry)
+  {
+    const std::vector<std::string> &faces = face_names(geometry);
+    const std::string               name  = node.text(parameter);
+    const auto                      found = std::find(faces.begin(), faces.end(), name);
+    if (found != faces.end())
+      return static_cast<unsigned int>(found - faces.begin());
+    if (geometry.mesh)
+      if (const auto further = geometry.mesh->further_names.find(name); further != geometry.mesh->further_names.end())
+        return further->second;
+    std::string hint = nearest_hint(name, faces);
+    if (geometry.mesh && geometry.mesh->n_named < 2)
+      hint = "the mesh names " + std::string(geometry.mesh->n_named == 0 ? "no surface" : "one surface only") +
+             ": name some there (in Gmsh: Physical Surface), or by place in system/geometry/faces; \"" + MeshBody::rest +
+             "\" is all that has no name (and boundary id 0)";
+    node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces), hint);
   }
 
   std::vector<dealii::Point<3>> corners(const Geometry &geometry)
   {
-    if (geometry.gmsh)
-      return geometry.gmsh->vertices;
+    if (geometry.mesh)
+      return geometry.mesh->vertices;
     std::vector<dealii::Point<3>> corners;
     const auto                   &n = geometry.cells;
     for (const unsigned int k : {0u, 1u})
@@ -204,7 +214,7 @@ namespace myolines
         }
     }
 
-    dealii::Point<3> centre_of_mesh_face(const GmshBody &body, const unsigned int face)
+    dealii::Point<3> centre_of_mesh_face(const MeshBody &body, const unsigned int face)
     {
       double               area = 0;
       dealii::Tensor<1, 3> moment;
@@ -222,8 +232,8 @@ namespace myolines
 
   dealii::Point<3> face_centre(const Geometry &geometry, const unsigned int face)
   {
-    if (geometry.gmsh)
-      return centre_of_mesh_face(*geometry.gmsh, face);
+    if (geometry.mesh)
+      return centre_of_mesh_face(*geometry.mesh, face);
     dealii::Point<3> centre(geometry.size[0] / 2, geometry.size[1] / 2, geometry.size[2] / 2);
     if (!geometry.gastrocnemius)
       {
@@ -263,8 +273,8 @@ namespace myolines
 
   std::vector<std::string> tissues_of(const Geometry &geometry)
   {
-    if (geometry.gmsh)
-      return geometry.gmsh->tissues;
+    if (geometry.mesh)
+      return geometry.mesh->tissues;
     return geometry.gastrocnemius ? std::vector<std::string>{"muscle", "aponeurosis"} : std::vector<std::string>{"muscle"};
   }
 
@@ -272,8 +282,8 @@ namespace myolines
   {
     if (geometry.gastrocnemius)
       make_gastrocnemius(geometry, mesh);
-    else if (geometry.gmsh)
-      make_gmsh(geometry, mesh);
+    else if (geometry.mesh)
+      make_from_file(geometry, mesh);
     else
       {
         make_block(mesh, geometry.size, geometry.cells, 0);
@@ -288,16 +298,20 @@ namespace myolines
   Schema geometry_schema()
   {
     return Schema("Reference body and its mesh.")
-        .variant("type", "block", {{"block", block_schema()}, {"idealised gastrocnemius", gastrocnemius_schema()}, {"gmsh", gmsh_schema()}},
-                 "Shape of the body.");
+        .variant("type", "block",
+                 {{"block", block_schema()},
+                  {"idealised gastrocnemius", gastrocnemius_schema()},
+                  {"mesh", mesh_body_schema()},
+                  {"gmsh", mesh_body_schema()}},
+                 "Shape of the body; \"gmsh\" is the former name of \"mesh\".");
   }
 
   Geometry read_geometry(const scene::Node &node)
   {
     Geometry   geometry;
     const auto number = [&](const std::string &name) { return static_cast<unsigned int>(node.integer(name)); };
-    if (node.text("type") == "gmsh")
-      return read_gmsh(node);
+    if (node.text("type") == "mesh" || node.text("type") == "gmsh")
+      return read_body_of_mesh(node);
     if (node.text("type") == "block")
       {
         geometry.size       = {{node.number("length"), node.number("width"), node.number("height")}};

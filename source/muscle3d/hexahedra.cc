@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 namespace myolines
 {
@@ -36,27 +35,5 @@ namespace myolines
         volume += rule.weight(q) * determinant(J);
       }
     return volume;
-  }
-
-  std::vector<Quadrilateral> outer_faces(const std::vector<dealii::CellData<3>> &cells)
-  {
-    std::map<Quadrilateral, std::pair<Quadrilateral, int>> count;
-    for (const auto &cell : cells)
-      for (unsigned int f = 0; f < 6; ++f)
-        {
-          Quadrilateral face;
-          for (unsigned int i = 0; i < 4; ++i)
-            face[i] = cell.vertices[dealii::GeometryInfo<3>::face_to_cell_vertices(f, i)];
-          Quadrilateral sorted = face;
-          std::sort(sorted.begin(), sorted.end());
-          auto &entry = count[sorted];
-          entry.first = face;
-          ++entry.second;
-        }
-    std::vector<Quadrilateral> faces;
-    for (const auto &[sorted, entry] : count)
-      if (entry.second == 1)
-        faces.push_back(entry.first);
-    return faces;
   }
 } // namespace myolines

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <deal.II/base/point.h>
-#include <deal.II/grid/tria.h>
 
-#include <array>
 #include <vector>
 
 namespace myolines
@@ -16,10 +14,4 @@ namespace myolines
 
   /// Volume of the trilinear image of the unit cube [m^3].
   double cell_volume(const std::vector<dealii::Point<3>> &x, const unsigned int *v);
-
-  /// Vertices of a face, row by row.
-  using Quadrilateral = std::array<unsigned int, 4>;
-
-  /// The faces that only one cell has.
-  std::vector<Quadrilateral> outer_faces(const std::vector<dealii::CellData<3>> &cells);
 } // namespace myolines

@@ -79,7 +79,7 @@ namespace myolines
         return std::nullopt;
       if (from != to)
         line.refuse(from ? "to" : "from", "is missing, where the other end is given", "the names of two faces");
-      const Faces faces{read_face(line, "from", face_names(geometry)), read_face(line, "to", face_names(geometry))};
+      const Faces faces{read_face(line, "from", geometry), read_face(line, "to", geometry)};
       if (faces.from == faces.to)
         line.refuse("to", "is the face where the line begins, too", "another face");
       return faces;
@@ -136,7 +136,7 @@ namespace myolines
 
   LineChoice find_line_of_action(const LineGiven &given, const Geometry &geometry, const std::vector<BoundaryCondition> &boundary)
   {
-    const bool           ours  = !geometry.gmsh;
+    const bool           ours  = !geometry.mesh;
     std::optional<Faces> faces = given.faces;
     if (!faces)
       faces = ours ? Faces{0, 1} : farthest(ends_of(boundary), geometry);

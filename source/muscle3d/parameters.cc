@@ -38,7 +38,7 @@ namespace myolines
           .number("y", 0, "-", Range::any(), "y component.")
           .number("z", 0, "-", Range::any(), "z component.");
       Schema formula("a0 along a vector that varies in space, normalised point by point.");
-      add_formulas(formula, "", "Direction", "volume (the number of the physical volume in Gmsh)");
+      add_formulas(formula, "", "Direction", "volume (the number of the group of the cell in a mesh)");
       Schema laplace(
           "a0 along the gradient of the solution of Laplace's equation between two faces: fibres run from face to face and along "
           "all others, Choi and Blemker (2013).");
@@ -52,7 +52,7 @@ namespace myolines
 
     FibresBetweenFaces read_laplace(const Node &fibres, const Geometry &geometry)
     {
-      const FibresBetweenFaces between{read_face(fibres, "from", face_names(geometry)), read_face(fibres, "to", face_names(geometry))};
+      const FibresBetweenFaces between{read_face(fibres, "from", geometry), read_face(fibres, "to", geometry)};
       if (between.from == between.to)
         fibres.refuse("to", "is the face where fibres begin, too", "another face");
       return between;
@@ -72,7 +72,7 @@ namespace myolines
       if (p.geometry.gastrocnemius)
         return p.geometry.gastrocnemius->fibre_direction();
       const bool elsewhere = type != "pennation angle" || (p.fields.table && p.fields.table->has_directions());
-      if (!p.geometry.gmsh || (elsewhere && !line.line))
+      if (!p.geometry.mesh || (elsewhere && !line.line))
         return {{1, 0, 0}};
       if (!line.line) // a mesh may lie in any direction; so may its fibres
         fibres.refuse("type", "the fibres of the mesh have no direction, and there is no line of action that they could follow",

@@ -54,8 +54,8 @@ namespace myolines
     };
     const bool               rates = capabilities().rates;
     std::vector<std::string> lines;
-    if (p.geometry.gmsh)
-      lines = p.geometry.gmsh->report;
+    if (p.geometry.mesh)
+      lines = p.geometry.mesh->report;
     lines.push_back(line("inertia", p.dynamic, p.dynamic ? "dynamic" : "quasi-static: no mass matrix is built"));
     lines.push_back(line("active stress", p.active(),
                          p.active() ? "activation is given; skipped while it is zero up to the next event"

@@ -52,14 +52,8 @@ namespace myolines
 
     std::optional<unsigned int> force_face(const Node &series, const Muscle3dSystem &system)
     {
-      const std::vector<std::string> &faces = face_names(system.parameters().geometry);
-      if (const std::string name = series.text("force face"); name != moving_face)
-        {
-          const auto found = std::find(faces.begin(), faces.end(), name);
-          if (found == faces.end())
-            series.refuse("force face", "the body has no face \"" + name + "\"", "one of " + join(faces));
-          return static_cast<unsigned int>(found - faces.begin());
-        }
+      if (series.text("force face") != moving_face)
+        return read_face(series, "force face", system.parameters().geometry);
       for (const BoundaryCondition &condition : system.parameters().boundary)
         if (condition.type == BoundaryCondition::Type::strain)
           return condition.face;

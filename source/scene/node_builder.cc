@@ -30,6 +30,8 @@ namespace myolines::scene
           return {"int"};
         case Kind::boolean:
           return {"bool"};
+        case Kind::text:
+          return {"string", "double", "int", "float"}; // a number is a text, too
         default:
           return {"string"};
         }

@@ -22,7 +22,6 @@ FENCES = (
     ("XML of Teuchos", r"\bTeuchos_XML\w*|\bTeuchos::XML\w*|Xml(File|String|Stream)\b", ("source/scene",)),
     ("SQLite", r"\bsqlite3_\w+|[<\"]sqlite3\.h", ("source/study",)),
     ("SUNDIALS", r"[<\"](sundials|arkode|cvodes?|idas?|kinsol|nvector)/", ("integrators/sundials_", "source/integrators/sundials_", "include/myolines/integrators/sundials_")),
-    ("Gmsh", r"\bgmsh::|#\s*include\s*<gmsh", ("source/muscle3d/gmsh_",)),
 )
 
 # The translator names the methods of the program that it translates from.

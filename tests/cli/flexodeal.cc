@@ -59,7 +59,7 @@ TEST(Flexodeal, AMeshReplacesTheBody)
   import_flexodeal(files, out);
   const scene::Node scene    = read_whole_scene(files.scene, {});
   const auto       &geometry = scene.section("system").section("geometry");
-  EXPECT_EQ(geometry.text("type"), "gmsh");
+  EXPECT_EQ(geometry.text("type"), "mesh");
   EXPECT_EQ(geometry.number("scale"), 1);
   const auto &conditions = scene.section("system").section("boundary").named();
   EXPECT_EQ(conditions[0].text("face"), "distal end");

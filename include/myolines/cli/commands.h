@@ -30,6 +30,10 @@ namespace myolines
   /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps.
   void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out);
 
+  /// Writes the mesh of @p scene, refined as it is there, to @p file: VTK or Gmsh by its ending.
+  void mesh_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, const std::filesystem::path &file,
+                    std::ostream &out);
+
   /// Prints growth rates and frequencies of small motions about the initial state of @p scene, and the rows of modes.csv into @p file,
   /// unless that is empty.
   void modes_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, const std::filesystem::path &file,

@@ -18,7 +18,7 @@ namespace myolines
     std::filesystem::path points;     ///< its "quadrature point data", CSV; empty: none
     std::string           steps;      ///< schedule; empty: the step size of the parameters
 
-    std::filesystem::path    mesh; ///< Gmsh file instead of the body of the parameters; empty: none
+    std::filesystem::path    mesh; ///< mesh instead of the body of the parameters; empty: none
     std::vector<std::string> ends; ///< names of its physical surfaces that are the faces 0 and 1, x- and x+; two with a mesh
   };
 

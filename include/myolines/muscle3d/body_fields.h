@@ -17,15 +17,20 @@
 
 namespace myolines
 {
-  /// Properties at points of the body, read from a CSV file as the complete Flexodeal writes and reads them. Columns by name, in
-  /// any order: qp_x, qp_y, qp_z [m], and any of max_iso_stress_muscle [Pa], muscle_fibre_orientation_x, _y, _z, fat_fraction,
-  /// activation_scale, matrix_fraction (a column of our own), tissue_id (1 muscle, 2 aponeurosis, 3 tendon). Each place of the body takes
-  /// the nearest row.
+  /// Properties of the body, read from a file. Their names are those of the complete Flexodeal: max_iso_stress_muscle [Pa],
+  /// muscle_fibre_orientation, fat_fraction, activation_scale, matrix_fraction (one of our own), tissue_id (1 muscle, 2 aponeurosis, 3
+  /// tendon).
+  /// - A CSV file has columns by name, in any order: qp_x, qp_y, qp_z and any of these (muscle_fibre_orientation_x, _y, _z). Each place of
+  ///   the body takes the nearest row.
+  /// - A mesh in a format of VTK has them as arrays; that of the fibre orientation has three components and may be called fibre as well.
+  ///   Each place takes what its cell has, or between the points of the cell what they have, linearly; vectors of points are turned to
+  ///   the same side before. Vectors of length zero say nothing. Other arrays are passed over.
   class PointProperties
   {
   public:
-    /// @throws InputError for a file that cannot be read, columns that are unknown or incomplete, and values out of range.
-    explicit PointProperties(const std::filesystem::path &file);
+    /// @p scale: metres per unit of the coordinates in the file. @throws InputError for a file that cannot be read, columns that are
+    /// unknown or incomplete, and values out of range.
+    explicit PointProperties(const std::filesystem::path &file, double scale = 1);
     ~PointProperties();
 
     /// What the file knows of a place; nothing where it has no such column.
@@ -35,18 +40,20 @@ namespace myolines
       std::optional<std::array<double, 3>> direction; ///< unit
       std::optional<unsigned int>          tissue;    ///< material id
     };
-    /// The row nearest to @p x, and its distance [m].
-    std::pair<const Row &, double> nearest(const dealii::Point<3> &x) const;
-    bool                           has_fat() const;
-    bool                           has_matrix() const; ///< whether it has fractions of extracellular matrix
-    bool                           has_directions() const; ///< of fibres
+    /// What the file has for @p x, and how far from there [m].
+    std::pair<Row, double> nearest(const dealii::Point<3> &x) const;
+    bool                   has_fat() const;
+    bool                   has_matrix() const; ///< whether it has fractions of extracellular matrix
+    bool                   has_directions() const; ///< of fibres
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;
     const std::filesystem::path     &file() const;
 
+    /// How the file keeps its rows.
+    class Source;
+
   private:
-    struct Table;
-    std::unique_ptr<Table> table_;
+    std::unique_ptr<const Source> source_;
   };
 
   /// Fibres along the gradient of a potential that is 0 on one face and 1 on another.

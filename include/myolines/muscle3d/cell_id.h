@@ -2,8 +2,8 @@
 
 namespace myolines
 {
-  /// What the material id of a cell stands for, kept by refinement and partition: its tissue (1 to 15) and the number of the physical
-  /// volume of a Gmsh mesh that it belongs to; 0 in bodies without such volumes, where the id is that of the tissue.
+  /// What the material id of a cell stands for, kept by refinement and partition: its tissue (1 to 15) and the number of its group
+  /// in a mesh file; 0 in bodies without such groups, where the id is that of the tissue.
   struct CellId
   {
     unsigned int tissue, volume;

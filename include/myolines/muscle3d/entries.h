@@ -19,8 +19,8 @@ namespace myolines
   std::string                read_formula(const scene::Node &node, const std::string &parameter, const std::string &fourth);
   std::array<std::string, 3> read_formulas(const scene::Node &node, const std::string &prefix, const std::string &fourth = "t");
 
-  /// Number of the face that @p parameter names. @throws InputError with the nearest one.
-  unsigned int read_face(const scene::Node &node, const std::string &parameter, const std::vector<std::string> &faces);
+  /// Metres per unit of length: of its name (m, cm, mm, um, ...) or as a number. @throws InputError
+  double read_unit(const scene::Node &node, const std::string &parameter);
 
   /// v over its length. @throws InputError at @p parameter if that is zero or not finite.
   std::array<double, 3> unit_vector(const std::array<double, 3> &v, const scene::Node &node, const std::string &parameter);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <myolines/fem/node_space.h>
-#include <myolines/muscle3d/gmsh_body.h>
+#include <myolines/muscle3d/mesh_body.h>
 #include <myolines/scene/scene.h>
 
 #include <array>
@@ -38,12 +38,16 @@ namespace myolines
     unsigned int                refinement = 3;           ///< global refinements of the coarse cells
     double distortion = 0; ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
     std::optional<Gastrocnemius>    gastrocnemius;
-    std::shared_ptr<const GmshBody> gmsh; ///< with neither: a block
+    std::shared_ptr<const MeshBody> mesh; ///< with neither: a block
   };
 
   /// Names of the faces by number. Of a block: x-, x+, y-, y+, z-, z+. Of the gastrocnemius: x- and x+ are the ends of the lower and
-  /// of the upper layer, z- and z+ their outsides, "muscle x-" and "muscle x+" the ends of everything else. Of a Gmsh file: its own.
+  /// of the upper layer, z- and z+ their outsides, "muscle x-" and "muscle x+" the ends of everything else. Of a mesh: its
+  /// own, those by place, and the rest.
   const std::vector<std::string> &face_names(const Geometry &geometry);
+
+  /// Number of the face that @p parameter names. @throws InputError with the nearest one.
+  unsigned int read_face(const scene::Node &node, const std::string &parameter, const Geometry &geometry);
 
   /// Points of the body of which it is, or is contained in, the convex hull [m].
   std::vector<dealii::Point<3>> corners(const Geometry &geometry);

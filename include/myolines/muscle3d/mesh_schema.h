@@ -1,0 +1,11 @@
+#pragma once
+
+#include <myolines/muscle3d/mesh_body.h>
+#include <myolines/scene/scene.h>
+
+namespace myolines
+{
+  /// Declaration of the body of a mesh file in the list `geometry`, and its reading.
+  scene::Schema                   mesh_body_schema();
+  std::shared_ptr<const MeshBody> read_mesh_body(const scene::Node &node);
+} // namespace myolines

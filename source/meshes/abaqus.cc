@@ -1,0 +1,339 @@
+#include "formats.h"
+
+#include <cmath>
+#include <optional>
+#include <set>
+
+namespace myolines
+{
+  namespace
+  {
+    using Shape = PlainMesh::Shape;
+
+    std::string upper(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::toupper(c); });
+      return text;
+    }
+
+    std::string_view without_blanks(std::string_view text)
+    {
+      const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+      return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
+    }
+
+    /// What stands between commas; nothing behind the last one.
+    std::vector<std::string_view> words_of(std::string_view line)
+    {
+      std::vector<std::string_view> words;
+      while (!line.empty())
+        {
+          const std::size_t comma = std::min(line.find(','), line.size());
+          words.push_back(without_blanks(line.substr(0, comma)));
+          line.remove_prefix(std::min(comma + 1, line.size()));
+        }
+      return words;
+    }
+
+    /// A type of elements: how many nodes, the corners first.
+    struct AbaqusKind
+    {
+      std::size_t          n_nodes;
+      std::optional<Shape> shape; ///< none: lines, springs, masses
+    };
+
+    AbaqusKind abaqus_kind(const std::string &type, const Cursor &cursor)
+    {
+      static const std::map<std::size_t, Shape> solids{{4, Shape::tetrahedron}, {10, Shape::tetrahedron}, {5, Shape::pyramid},
+                                                       {13, Shape::pyramid},    {6, Shape::wedge},        {15, Shape::wedge},
+                                                       {8, Shape::hexahedron},  {20, Shape::hexahedron},  {27, Shape::hexahedron}};
+      static const std::map<std::size_t, Shape> surfaces{
+        {3, Shape::triangle}, {6, Shape::triangle}, {4, Shape::quadrilateral}, {8, Shape::quadrilateral}, {9, Shape::quadrilateral}};
+      const auto number_behind = [&](const std::size_t at) {
+        std::size_t n = 0;
+        for (std::size_t i = at; i < type.size() && type[i] >= '0' && type[i] <= '9' && n < 100; ++i)
+          n = 10 * n + static_cast<std::size_t>(type[i] - '0');
+        return n;
+      };
+      if (const std::size_t at = type.find("C3D"); at != std::string::npos)
+        if (const auto found = solids.find(number_behind(at + 3)); found != solids.end())
+          return {found->first, found->second};
+      for (const char *const family : {"SFM3D", "STRI", "CPS", "CPE", "M3D", "R3D", "S"})
+        if (type.rfind(family, 0) == 0)
+          if (const auto found = surfaces.find(number_behind(std::string_view(family).size())); found != surfaces.end())
+            return {found->first, found->second};
+      for (const char *const line : {"T3D2", "B31", "T3D3", "B32"})
+        if (type.rfind(line, 0) == 0)
+          return {line[1] == '3' && line[2] == '2' ? 3u : line[3] == '3' ? 3u : 2u, {}};
+      cursor.refuse("elements of type \"" + type + "\" are not known", "C3D8, C3D4, C3D6, C3D5, their kin of second order, and S3, S4, CPS3, CPS4");
+    }
+
+    class AbaqusReader
+    {
+    public:
+      explicit AbaqusReader(Cursor &cursor)
+        : cursor_(cursor)
+        , builder_(cursor, mesh_)
+      {}
+
+      PlainMesh read()
+      {
+        mesh_.format = "Abaqus";
+        while (cursor_.left() > 0)
+          {
+            const std::string_view line = without_blanks(cursor_.line());
+            if (line.empty() || line.substr(0, 2) == "**")
+              continue;
+            if (line.front() == '*')
+              keyword(line);
+            else
+              data(line);
+          }
+        if (!element_.empty())
+          cursor_.refuse("the last element has only " + std::to_string(element_.size() - 1) + " nodes: the file is cut off",
+                         std::to_string(kind_.n_nodes));
+        add_elements();
+        add_surfaces();
+        return std::move(mesh_);
+      }
+
+    private:
+      struct Element
+      {
+        Shape                       shape;
+        bool                        straight;
+        std::array<std::int64_t, 8> corners;
+        std::set<int>               groups; ///< places in names_of_sets_
+      };
+
+      void keyword(const std::string_view line)
+      {
+        if (!element_.empty())
+          cursor_.refuse("the last element has only " + std::to_string(element_.size() - 1) + " nodes", std::to_string(kind_.n_nodes));
+        options_.clear();
+        const std::vector<std::string_view> words = words_of(line);
+        keyword_                                  = upper(std::string(words[0]));
+        for (const std::string_view word : words)
+          {
+            const std::size_t equals = word.find('=');
+            options_[upper(std::string(without_blanks(word.substr(0, equals))))] =
+              equals == std::string_view::npos ? "" : std::string(without_blanks(word.substr(equals + 1)));
+          }
+        if (keyword_ == "*INCLUDE" || keyword_ == "*SYSTEM" || keyword_ == "*NGEN" || keyword_ == "*ELGEN" || keyword_ == "*NCOPY")
+          cursor_.refuse("the keyword " + keyword_ + " is not read", "a file that has all nodes and elements itself", "write the mesh out as one input file");
+        if (keyword_ == "*INSTANCE" && ++n_instances_ > 1)
+          cursor_.refuse("there are several instances of parts", "one", "merge the parts");
+        if (keyword_ == "*ELEMENT")
+          kind_ = abaqus_kind(upper(options_["TYPE"]), cursor_);
+        if (keyword_ == "*SURFACE" && upper(options_["TYPE"]) == "NODE")
+          keyword_ = "*OTHER";
+      }
+
+      void data(const std::string_view line)
+      {
+        if (keyword_ == "*NODE")
+          read_node(words_of(line));
+        else if (keyword_ == "*ELEMENT")
+          read_element(words_of(line));
+        else if (keyword_ == "*ELSET")
+          read_set(words_of(line), element_sets_[name_of("ELSET")]);
+        else if (keyword_ == "*NSET")
+          read_set(words_of(line), node_sets_[name_of("NSET")]);
+        else if (keyword_ == "*SURFACE")
+          read_surface(words_of(line));
+        else if (keyword_ == "*INSTANCE")
+          cursor_.refuse("the instance of the part is moved", "a part where its nodes are");
+      }
+
+      std::string name_of(const std::string &option)
+      {
+        if (options_[option].empty())
+          cursor_.refuse(keyword_ + " has no name", option + "=NAME");
+        std::string name = options_[option];
+        if (name.size() > 1 && name.front() == '"' && name.back() == '"')
+          name = name.substr(1, name.size() - 2);
+        return name;
+      }
+
+      std::int64_t integer(const std::string_view word, const std::string &what) const
+      {
+        const double value = number_of(word);
+        if (!(std::abs(value) < 1e15) || value != std::floor(value))
+          cursor_.refuse("\"" + std::string(word.substr(0, 40)) + "\" stands where " + what + " should be", "an integer");
+        return static_cast<std::int64_t>(value);
+      }
+
+      void read_node(const std::vector<std::string_view> &words)
+      {
+        if (words.size() < 4)
+          cursor_.refuse("a node has " + std::to_string(words.size()) + " numbers", "its number and three coordinates");
+        PlainMesh::Position x;
+        for (std::size_t c = 0; c < 3; ++c)
+          {
+            x[c] = number_of(words[c + 1]);
+            if (!std::isfinite(x[c]))
+              cursor_.refuse("\"" + std::string(words[c + 1].substr(0, 40)) + "\" stands where a coordinate should be", "a number");
+          }
+        const std::int64_t number = integer(words[0], "the number of a node");
+        builder_.add_point(number, x);
+        if (options_.count("NSET") > 0)
+          node_sets_[name_of("NSET")].push_back(number);
+      }
+
+      /// An element may go over several lines.
+      void read_element(const std::vector<std::string_view> &words)
+      {
+        for (const std::string_view word : words)
+          element_.push_back(integer(word, element_.empty() ? "the number of an element" : "a node of an element"));
+        if (element_.size() > kind_.n_nodes + 1)
+          cursor_.refuse("an element has " + std::to_string(element_.size() - 1) + " nodes", std::to_string(kind_.n_nodes));
+        if (element_.size() < kind_.n_nodes + 1)
+          return;
+        if (kind_.shape)
+          {
+            Element element{*kind_.shape, kind_.n_nodes == n_corners(*kind_.shape), {}, {}};
+            for (std::size_t i = 0; i < n_corners(*kind_.shape); ++i)
+              element.corners[i] = element_[i + 1];
+            if (!elements_.emplace(element_[0], element).second)
+              cursor_.refuse("the element " + std::to_string(element_[0]) + " is there twice", "one element for each number");
+            if (options_.count("ELSET") > 0)
+              element_sets_[name_of("ELSET")].push_back(element_[0]);
+          }
+        element_.clear();
+      }
+
+      /// Numbers and names of other sets, or first, last and increment.
+      void read_set(const std::vector<std::string_view> &words, std::vector<std::int64_t> &set)
+      {
+        if (options_.count("GENERATE") > 0)
+          {
+            const auto first = integer(words[0], "the first of a set"), last = integer(words.size() > 1 ? words[1] : words[0], "the last of a set");
+            const auto step  = words.size() > 2 ? integer(words[2], "the increment of a set") : 1;
+            if (step < 1 || last < first || (last - first) / step > static_cast<std::int64_t>(cursor_.bytes().size()))
+              cursor_.refuse("a set goes from " + std::to_string(first) + " to " + std::to_string(last) + " by " + std::to_string(step),
+                             "no more than the file may have");
+            for (std::int64_t i = first; i <= last; i += step)
+              set.push_back(i);
+            return;
+          }
+        for (const std::string_view word : words)
+          if (!word.empty())
+            {
+              auto       &sets  = keyword_ == "*NSET" ? node_sets_ : element_sets_;
+              const auto  other = sets.find(std::string(word));
+              if (other != sets.end() && &other->second != &set)
+                set.insert(set.end(), other->second.begin(), other->second.end());
+              else
+                set.push_back(integer(word, "a number of a set"));
+            }
+      }
+
+      void read_surface(const std::vector<std::string_view> &words)
+      {
+        if (!words.empty() && !words[0].empty())
+          surfaces_.emplace_back(name_of("NAME"), std::pair(std::string(words[0]), words.size() > 1 ? upper(std::string(words[1])) : ""));
+      }
+
+      /// Groups are numbered in the order of their names.
+      void add_elements()
+      {
+        int number = 0;
+        for (const auto &[name, set] : element_sets_)
+          {
+            ++number;
+            for (const std::int64_t one : set)
+              if (const auto element = elements_.find(one); element != elements_.end())
+                {
+                  element->second.groups.insert(number);
+                  (faces_of(element->second.shape).empty() ? mesh_.face_groups : mesh_.cell_groups)[number] = name;
+                }
+          }
+        for (const auto &[number_of_element, element] : elements_)
+          {
+            const bool cell = !faces_of(element.shape).empty();
+            if (cell && !element.straight)
+              ++mesh_.straightened;
+            const std::vector<std::int64_t> corners(element.corners.begin(), element.corners.end());
+            if (cell || !element.groups.empty())
+              builder_.add(element.shape, {element.groups.begin(), element.groups.end()}, corners);
+          }
+      }
+
+      void add_surfaces()
+      {
+        int                        number = static_cast<int>(element_sets_.size());
+        std::map<std::string, int> numbers;
+        for (const auto &[name, part] : surfaces_)
+          {
+            const auto [entry, fresh] = numbers.emplace(name, number + 1);
+            number += fresh ? 1 : 0;
+            mesh_.face_groups[entry->second] = name;
+            const auto set                   = element_sets_.find(part.first);
+            if (set != element_sets_.end())
+              for (const std::int64_t element : set->second)
+                add_side(element, part.second, entry->second);
+            else
+              add_side(integer(part.first, "a set or an element of a surface"), part.second, entry->second);
+          }
+        if (mesh_.faces.empty())
+          add_node_sets(number);
+      }
+
+      void add_side(const std::int64_t number, const std::string &side, const int group)
+      {
+        const auto found = elements_.find(number);
+        if (found == elements_.end())
+          cursor_.refuse("a surface has the element " + std::to_string(number) + ", which is not in the file", "a number of an element");
+        const Element &element = found->second;
+        const auto    &faces   = faces_of(element.shape);
+        if (faces.empty())
+          return builder_.add(element.shape, {group}, {element.corners.begin(), element.corners.end()});
+        const std::size_t f = side.size() == 2 && side[0] == 'S' ? static_cast<std::size_t>(side[1] - '1') : faces.size();
+        if (f >= faces.size())
+          cursor_.refuse("\"" + side + "\" is no side of the element " + std::to_string(number), "S1 to S" + std::to_string(faces.size()));
+        std::vector<std::int64_t> corners;
+        for (const unsigned int i : faces[f])
+          corners.push_back(element.corners[i]);
+        builder_.add(corners.size() == 3 ? Shape::triangle : Shape::quadrilateral, {group}, corners);
+      }
+
+      /// Without surfaces, sets of nodes name the faces of the boundary all of whose corners they have.
+      void add_node_sets(int number)
+      {
+        const std::vector<PlainMesh::Element> outer = outer_faces(mesh_);
+        for (const auto &[name, set] : node_sets_)
+          {
+            std::set<unsigned int> places;
+            for (const std::int64_t node : set)
+              if (const auto place = builder_.place(node))
+                places.insert(*place);
+            std::vector<PlainMesh::Element> found;
+            for (PlainMesh::Element face : outer)
+              if (std::all_of(face.corner.begin(), face.corner.begin() + n_corners(face.shape), [&](const unsigned int v) { return places.count(v) > 0; }))
+                {
+                  face.group = number + 1;
+                  found.push_back(face);
+                }
+            if (found.empty() || found.size() == outer.size())
+              continue;
+            mesh_.face_groups[++number] = name;
+            mesh_.faces.insert(mesh_.faces.end(), found.begin(), found.end());
+          }
+      }
+
+      Cursor                                                                      &cursor_;
+      PlainMesh                                                                    mesh_;
+      MeshBuilder                                                                  builder_;
+      std::string                                                                  keyword_;
+      std::map<std::string, std::string>                                           options_; ///< of the keyword
+      AbaqusKind                                                                   kind_{};
+      std::vector<std::int64_t>                                                    element_; ///< number and nodes, as far as they are read
+      std::map<std::int64_t, Element>                                              elements_;
+      std::map<std::string, std::vector<std::int64_t>>                             element_sets_, node_sets_;
+      std::vector<std::pair<std::string, std::pair<std::string, std::string>>>     surfaces_; ///< name; set or element, and side
+      unsigned int                                                                 n_instances_ = 0;
+    };
+  } // namespace
+
+  PlainMesh read_abaqus(Cursor &cursor) { return AbaqusReader(cursor).read(); }
+} // namespace myolines

@@ -1,0 +1,87 @@
+#include <myolines/muscle3d/plausibility.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace myolines
+{
+  namespace
+  {
+    constexpr double longest = 1, thinnest = 1e-4; // [m]
+
+    /// Factor that takes a value into a range, where a usual one does; else 0.
+    double mending_factor(const double value, const double low, const double high, const std::vector<double> &factors)
+    {
+      for (const double factor : factors)
+        if (value * factor >= low && value * factor <= high)
+          return factor;
+      return 0;
+    }
+
+    void judge(const std::string &name, const double value, const std::string &unit, const double low, const double high,
+               const std::vector<std::pair<double, std::string>> &meant, std::vector<std::string> &sentences)
+    {
+      if (value >= low && value <= high)
+        return;
+      std::ostringstream text;
+      text << name << " is " << value << " " << unit << "; usual are " << low << " to " << high << " " << unit;
+      for (const auto &[factor, of] : meant)
+        if (value * factor >= low && value * factor <= high)
+          {
+            text << ": " << of << " instead of " << unit << "? That would be " << value * factor;
+            break;
+          }
+      sentences.push_back(text.str());
+    }
+  } // namespace
+
+  std::string implausible_size(const Geometry &geometry)
+  {
+    const double       most = *std::max_element(geometry.size.begin(), geometry.size.end()),
+                 least      = *std::min_element(geometry.size.begin(), geometry.size.end());
+    std::ostringstream text;
+    if (most > longest)
+      {
+        text << "the body is " << most << " m long; lengths are in metres";
+        if (const double factor = mending_factor(most, 0.002, longest, {1e-3, 1e-2, 1e-6}); factor != 0)
+          {
+            text << ". " << (factor == 1e-3 ? "Millimetres" : factor == 1e-2 ? "Centimetres" : "Micrometres") << " were probably meant: ";
+            if (geometry.mesh)
+              text << "geometry/scale = " << factor << " times what it is (" << (factor == 1e-3 ? "mm" : factor == 1e-2 ? "cm" : "um")
+                   << " for a mesh that is read as metres now)";
+            else
+              text << "a length of " << most * factor << " m";
+          }
+      }
+    else if (least < thinnest)
+      text << "the body is " << least << " m thin; lengths are in metres"
+           << (geometry.mesh ? ". Is geometry/scale applied to a mesh that is in metres already?" : "");
+    return text.str();
+  }
+
+  std::vector<std::string> implausible_values(const Muscle3dParameters &parameters)
+  {
+    std::vector<std::string> sentences;
+    if (const std::string size = implausible_size(parameters.geometry); !size.empty())
+      sentences.push_back(size);
+    if (parameters.geometry.mesh && parameters.geometry.mesh->worst < 0.01)
+      {
+        std::ostringstream text;
+        text << "the mesh has nearly degenerate cells: smallest corner Jacobian over the largest of its cell " << parameters.geometry.mesh->worst
+             << "; below 0.01 results are doubtful and solves slow";
+        sentences.push_back(text.str());
+      }
+    for (const TissueKind &kind : tissue_kinds())
+      if (const auto found = parameters.tissues.find(kind.id); found != parameters.tissues.end())
+        {
+          const TissueParameters &tissue = found->second;
+          if (kind.id == muscle_id && tissue.fibre.sigma0 != 0)
+            judge("the maximum isometric stress", tissue.fibre.sigma0, "Pa", 1e3, 1e7, {{1e3, "kPa"}, {1e6, "MPa"}, {1e4, "N/cm^2"}}, sentences);
+          judge("the density of " + kind.name, tissue.density, "kg/m^3", 500, 2000, {{1e3, "g/cm^3"}, {1e12, "t/mm^3"}, {1e9, "kg/mm^3"}}, sentences);
+          judge("the bulk modulus of " + kind.name, tissue.bulk_modulus, "Pa", 1e4, 1e10, {{1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}}, sentences);
+          if (const double mu = 2 * tissue.base.coefficients()[0]; mu > 0 && !tissue.matrix)
+            judge("the bulk modulus over the shear modulus of " + kind.name, tissue.bulk_modulus / mu, "-", 10, 1e6, {}, sentences);
+        }
+    return sentences;
+  }
+} // namespace myolines

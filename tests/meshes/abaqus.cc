@@ -1,0 +1,104 @@
+// Input files of Abaqus.
+#include "example.h"
+
+#include <gtest/gtest.h>
+
+namespace myolines
+{
+  namespace
+  {
+    std::string nodes()
+    {
+      std::ostringstream text;
+      text << "*HEADING\n by a test\n** a comment\n*NODE, NSET=ALL\n";
+      for (int i = 0; i < 12; ++i)
+        {
+          const auto x = test::TwoCubes::point(i);
+          text << test::TwoCubes::number(i) << ", " << x[0] << ",  " << x[1] << ", " << x[2] << "\n";
+        }
+      return text.str();
+    }
+
+    std::string listed(const int *points, const int n)
+    {
+      std::string text;
+      for (int v = 0; v < n; ++v)
+        text += ", " + std::to_string(test::TwoCubes::number(points[v]));
+      return text + "\n";
+    }
+
+    std::string element(const int number, const int cell) { return std::to_string(number) + listed(test::TwoCubes::cell[cell], 8); }
+
+    /// Cells 1, 2; "a" is the first and "b" the second in the order of names.
+    std::string cells() { return "*Element, type=C3D8R, elset=a\n" + element(1, 0) + "*Element, type=C3D8R, elset=b\n" + element(2, 1); }
+
+    /// By sides of elements, by elements of their own, or by nodes, the names of the ends come third and fourth.
+    std::vector<std::string> all_ways()
+    {
+      const std::string quads = "*ELEMENT, TYPE=CPS4, ELSET=c\n7" + listed(test::TwoCubes::face[0], 4) + "*ELEMENT, TYPE=S4R, ELSET=d\n8" +
+                                listed(test::TwoCubes::face[1], 4);
+      const std::string sides = "*SURFACE, NAME=c, TYPE=ELEMENT\na, S6\n*SURFACE, TYPE=ELEMENT, NAME=d\n2, S4\n";
+      const std::string sets  = "*NSET, NSET=c\n5, 20,\n35, 50\n*NSET, NSET=d, GENERATE\n15, 60, 15\n*NSET, NSET=one\n5\n";
+      return {nodes() + cells() + quads, nodes() + cells() + sides + "*STEP\n*STATIC\n1., 1.\n*END STEP\n", nodes() + cells() + sets};
+    }
+
+    TEST(AbaqusFiles, SurfacesAreSidesElementsOrNodes)
+    {
+      for (const std::string &text : all_ways())
+        {
+          PlainMesh mesh = test::mesh_of(text);
+          ASSERT_EQ(mesh.cells.size(), 2u) << text;
+          ASSERT_EQ(mesh.faces.size(), 2u) << text;
+          EXPECT_EQ(mesh.cell_groups, (std::map<int, std::string>{{1, "a"}, {2, "b"}}));
+          EXPECT_EQ(mesh.face_groups.at(mesh.faces[0].group), "c");
+          EXPECT_EQ(mesh.face_groups.at(mesh.faces[1].group), "d");
+          for (int f = 0; f < 2; ++f)
+            for (int v = 0; v < 4; ++v)
+              {
+                const auto x = mesh.points[mesh.faces[f].corner[v]];
+                EXPECT_EQ(x[0], 2.5 * f) << text;
+              }
+          for (int v = 0; v < 8; ++v)
+            EXPECT_EQ(mesh.points[mesh.cells[1].corner[v]], test::TwoCubes::point(test::TwoCubes::cell[1][v]));
+        }
+    }
+
+    TEST(AbaqusFiles, ElementsGoOverLinesAndBelongToSets)
+    {
+      const PlainMesh mesh =
+        test::mesh_of("*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,.5,0,0\n6,.5,.5,0\n7,0,.5,0\n8,0,0,.5\n9,.5,0,.5\n10,0,.5,.5\n"
+                      "*ELEMENT,TYPE=C3D10M\n4,1,2,3,4,5,\n6,7,8,9,10\n*ELSET,ELSET=muscle\n4\n*ELSET,ELSET=whole\nmuscle\n");
+      ASSERT_EQ(mesh.cells.size(), 1u);
+      EXPECT_EQ(mesh.cells[0].shape, PlainMesh::Shape::tetrahedron);
+      EXPECT_EQ(mesh.straightened, 1u);
+      EXPECT_EQ(mesh.further_groups.at(0), std::vector<int>{2});
+    }
+
+    TEST(AbaqusFiles, NoDamageDoesAnyHarm)
+    {
+      for (const std::string &text : all_ways())
+        for (std::size_t n = 0; n < text.size(); n += 2)
+          {
+            test::refusal_of(text.substr(0, n));
+            std::string changed = text;
+            changed[n]          = static_cast<char>(changed[n] ^ 0x15);
+            test::refusal_of(changed);
+          }
+    }
+
+    TEST(AbaqusFiles, RefusalsNameThePlace)
+    {
+      const auto told = [](const std::string &text, const std::string &words) {
+        const std::string refusal = test::refusal_of(text);
+        EXPECT_NE(refusal.find(words), std::string::npos) << refusal;
+      };
+      told("*NODE\n1, 0, 0, zero\n", "mesh, line 2: \"zero\" stands where a coordinate should be");
+      told(nodes() + "*ELEMENT, TYPE=C3D8\n1, 5, 10\n", "the last element has only 2 nodes");
+      told(nodes() + "*ELEMENT, TYPE=C3D77\n", "elements of type \"C3D77\" are not known");
+      told(nodes() + "*ELEMENT, TYPE=C3D4\n1, 5, 10, 15, 99\n", "has the point 99");
+      told(nodes() + cells() + "*SURFACE, NAME=c, TYPE=ELEMENT\na, S7\n", "\"S7\" is no side of the element 1");
+      told("*INCLUDE, INPUT=other.inp\n", "the keyword *INCLUDE is not read");
+      told(nodes() + "*NSET, NSET=c, GENERATE\n1, 9000000000, 1\n", "a set goes from 1 to 9000000000");
+    }
+  } // namespace
+} // namespace myolines
