@@ -2,6 +2,7 @@
 
 #include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
+#include <myolines/system/file_drive.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/semi_discrete_system.h>
 #include <myolines/time/loop.h>
@@ -24,6 +25,8 @@ namespace myolines
 
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
+
+    std::vector<const FileDrive *> files; ///< that drive the system
 
     std::function<std::vector<std::string>()> measure; ///< more lines, which take work; none where there are none
   };
