@@ -10,6 +10,7 @@
 #include <myolines/output/outputs.h>
 #include <myolines/rod1d/rod1d_system.h>
 #include <myolines/solve/nonlinear_solver.h>
+#include <myolines/system/file_drive.h>
 #include <myolines/time/step_control.h>
 
 namespace myolines

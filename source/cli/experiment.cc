@@ -4,6 +4,7 @@
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
+#include <myolines/system/file_drive.h>
 #include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/start.h>

@@ -88,16 +88,6 @@ namespace myolines::scene
       return rows;
     }
 
-    /// "0,5" or "-1,5e-3" with a point for the comma; nothing for other cells.
-    std::optional<std::string> with_decimal_point(std::string cell)
-    {
-      const auto comma = cell.find(',');
-      if (comma == std::string::npos || cell.find('.') != std::string::npos)
-        return std::nullopt;
-      cell[comma] = '.';
-      return parse_number(cell) ? std::optional<std::string>(cell) : std::nullopt;
-    }
-
     /// Decimal commas become points, where no field of @p table has a point. @throws InputError where both occur.
     void replace_decimal_commas(CsvTable &table)
     {

@@ -4,6 +4,7 @@
 #include <myolines/base/names.h>
 #include <myolines/scene/numbers.h>
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -26,16 +27,28 @@ namespace myolines::scene
       return text.empty() || text[0] == '#' || text[0] == '%';
     }
 
-    std::size_t n_fields(const std::string &line, const char separator)
+    std::vector<std::string> fields_of(const std::string &line, const char separator)
     {
-      std::size_t n      = 1;
-      bool        quoted = false;
+      std::vector<std::string> fields{""};
+      bool                     quoted = false;
       for (const char c : line)
         {
           quoted = quoted != (c == '"');
-          n += !quoted && c == separator ? 1 : 0;
+          if (!quoted && c == separator)
+            fields.emplace_back();
+          else
+            fields.back() += c;
         }
-      return n;
+      return fields;
+    }
+
+    /// Whether @p values are as many as @p names, each of them a number or without another one of the separators @p present.
+    bool fits(const std::vector<std::string> &names, const std::vector<std::string> &values, const std::string &present)
+    {
+      return names.size() == values.size() && std::all_of(values.begin(), values.end(), [&](const std::string &value) {
+               return value.find_first_of(present) == std::string::npos || value.find('"') != std::string::npos ||
+                      with_decimal_point(value);
+             });
     }
 
     std::string words_with_tabs(const std::string &line)
@@ -59,18 +72,26 @@ namespace myolines::scene
     {
       std::string present, fitting;
       for (const char separator : {',', ';', '\t'})
-        if (n_fields(names, separator) > 1)
-          {
-            present += separator;
-            if (n_fields(names, separator) == n_fields(values, separator))
-              fitting += separator;
-          }
+        if (fields_of(names, separator).size() > 1)
+          present += separator;
+      for (const char separator : present)
+        if (fits(fields_of(names, separator), fields_of(values, separator), present))
+          fitting += separator;
       if (present.size() > 1 && fitting.size() != 1)
         throw InputError(InputProblem{where, "the names may be separated by commas, semicolons or tabs: several of them occur",
                                       "one separator, which makes as many values as names", "put names that hold another one in quotes"});
       return present.empty() ? ',' : present.size() == 1 ? present[0] : fitting[0];
     }
   } // namespace
+
+  std::optional<std::string> with_decimal_point(std::string cell)
+  {
+    const auto comma = cell.find(',');
+    if (comma == std::string::npos || cell.find('.') != std::string::npos)
+      return std::nullopt;
+    cell[comma] = '.';
+    return parse_number(cell) ? std::optional<std::string>(cell) : std::nullopt;
+  }
 
   TableText find_table(const std::string &text, const std::filesystem::path &file)
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace myolines::scene
@@ -15,6 +16,10 @@ namespace myolines::scene
 
   /// The table in @p text: without blank and comment lines (#, %) in front, and without the header of OpenSim's files, which ends with the
   /// line "endheader"; their blanks become tabs. The separator is that of the names; where they hold several, that one which cuts the first
-  /// line of values into as many fields as the names. @throws InputError where that is none or more than one.
+  /// line of values into as many fields as the names, each of them a number or without another separator. @throws InputError where that is
+  /// none or more than one.
   TableText find_table(const std::string &text, const std::filesystem::path &file);
+
+  /// "0,5" or "-1,5e-3" with a point for the comma; nothing for other cells.
+  std::optional<std::string> with_decimal_point(std::string cell);
 } // namespace myolines::scene

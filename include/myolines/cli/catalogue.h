@@ -2,7 +2,6 @@
 
 #include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
-#include <myolines/system/file_drive.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/semi_discrete_system.h>
 #include <myolines/time/loop.h>
@@ -15,6 +14,8 @@
 
 namespace myolines
 {
+  class FileDrive;
+
   /// A system as a scene describes it.
   struct AssembledSystem
   {
