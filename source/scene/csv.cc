@@ -130,8 +130,13 @@ namespace myolines::scene
     if (found.size() == 1)
       return found.front();
     if (found.empty())
-      throw InputError(InputProblem{file.string(), "there is no column \"" + name + "\"", "one of " + join(header),
-                                    nearest_hint(name, header, "nearest valid name")});
+      {
+        std::vector<std::string> quantities;
+        for (const std::string &column : header)
+          quantities.push_back(split_column_name(column).quantity);
+        throw InputError(InputProblem{file.string(), "there is no column \"" + name + "\"", "one of " + join(header),
+                                      nearest_hint(split_column_name(name).quantity, quantities, "nearest valid name")});
+      }
     std::vector<std::string> names;
     for (const std::size_t i : found)
       names.push_back("\"" + header[i] + "\"");

@@ -106,6 +106,15 @@ namespace
     EXPECT_EQ(table.required_column("x [mm]"), 5u);
     EXPECT_THROW(table.required_column("x"), InputError);
     EXPECT_THROW(table.required_column("FORCE"), InputError);
+    try
+      {
+        table.required_column("lenght");
+        ADD_FAILURE();
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_NE(std::string(error.what()).find("nearest valid name: \"length\""), std::string::npos) << error.what();
+      }
   }
 
   TEST(Columns, UnitsAreConverted)
