@@ -11,6 +11,7 @@
 #include <myolines/output/outputs.h>
 #include <myolines/rod1d/rod1d_system.h>
 #include <myolines/solve/nonlinear_solver.h>
+#include <myolines/system/file_drive.h>
 #include <myolines/time/step_control.h>
 
 namespace myolines
@@ -31,6 +32,23 @@ namespace myolines
       return assembled;
     }
 
+    std::vector<const FileDrive *> files_among(const std::vector<const Drive *> &drives)
+    {
+      std::vector<const FileDrive *> files;
+      for (const Drive *drive : drives)
+        if (const FileDrive *file = file_of(drive))
+          files.push_back(file);
+      return files;
+    }
+
+    std::vector<const FileDrive *> files_of(const Muscle3dParameters &parameters)
+    {
+      std::vector<const Drive *> drives = parameters.activation_drives();
+      for (const BoundaryCondition &condition : parameters.boundary)
+        drives.insert(drives.end(), {condition.strain.get(), condition.profile.get()});
+      return files_among(drives);
+    }
+
     AssembledSystem make_muscle3d(const Node &node, WorkLedger &ledger)
     {
       auto                     system     = std::make_unique<Muscle3dSystem>(read_muscle3d(node), MPI_COMM_WORLD, ledger);
@@ -41,11 +59,13 @@ namespace myolines
       const std::string why_no_line = system->line_of_action().why_none;
       AssembledSystem   assembled   = assemble(std::move(system), ledger);
       assembled.plan                = std::move(plan);
+      assembled.files               = files_of(parameters);
       assembled.warnings            = implausible_values(parameters);
-      assembled.measure = [&body = dynamic_cast<const Muscle3dSystem &>(*assembled.system)] { return body_facts(body); };
+      assembled.measure             = [&body = dynamic_cast<const Muscle3dSystem &>(*assembled.system)] { return body_facts(body); };
       if (!why_no_line.empty())
-        assembled.warnings.push_back("there is no line of action: " + why_no_line +
-                                     "; forces, lengths and means along it are left out. A list \"line of action\" in \"system\" gives one");
+        assembled.warnings.push_back(
+            "there is no line of action: " + why_no_line +
+            "; forces, lengths and means along it are left out. A list \"line of action\" in \"system\" gives one");
       if (parameters.dynamic && parameters.degree == 2 && parameters.n_points < 4)
         assembled.warnings.push_back("dynamic runs of degree 2 want at least 4 quadrature points per direction, this scene has " +
                                      std::to_string(parameters.n_points));
@@ -54,7 +74,10 @@ namespace myolines
 
     AssembledSystem make_oscillator(const Node &node, WorkLedger &ledger)
     {
-      return assemble(std::make_unique<OscillatorSystem>(read_oscillator(node), ledger), ledger);
+      const OscillatorParameters parameters = read_oscillator(node);
+      AssembledSystem            assembled  = assemble(std::make_unique<OscillatorSystem>(parameters, ledger), ledger);
+      assembled.files                       = files_among({parameters.force.get(), parameters.support.get()});
+      return assembled;
     }
 
     SizeEstimate muscle3d_size(const Node &node, const unsigned int ranks)
@@ -67,15 +90,21 @@ namespace myolines
 
     AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger)
     {
-      return assemble(std::make_unique<Rod1dSystem>(read_rod1d(node), ledger), ledger);
+      const Rod1dParameters parameters = read_rod1d(node);
+      AssembledSystem       assembled  = assemble(std::make_unique<Rod1dSystem>(parameters, ledger), ledger);
+      assembled.files                  = files_among({parameters.strain.get()});
+      return assembled;
     }
 
     AssembledSystem make_muscle1d(Muscle1dParameters parameters, WorkLedger &ledger)
     {
+      std::vector<const Drive *> drives{parameters.excitation.get(), parameters.tendon ? parameters.tendon->unit_length.get() : nullptr};
+
       auto            system    = std::make_unique<Muscle1dSystem>(std::move(parameters), ledger);
       auto            plan      = system->plan();
       AssembledSystem assembled = assemble(std::move(system), ledger);
       assembled.plan            = std::move(plan);
+      assembled.files           = files_among(drives);
       return assembled;
     }
 
@@ -245,7 +274,8 @@ namespace myolines
           {
             all.push_back({"time/control/type", "error", entry.facts.name + " chooses its steps itself"});
             if (scene::peek_text(file, "time/boundary rates", overrides) == "scheme")
-              all.push_back({"time/boundary rates", "exact", entry.facts.name + " has no formulas of its own for the rates of a moving boundary"});
+              all.push_back(
+                  {"time/boundary rates", "exact", entry.facts.name + " has no formulas of its own for the rates of a moving boundary"});
           }
       return all;
     }

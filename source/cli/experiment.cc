@@ -4,6 +4,7 @@
 #include <myolines/cli/memory.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
+#include <myolines/system/file_drive.h>
 #include <myolines/system/instants.h>
 #include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
@@ -66,6 +67,8 @@ namespace myolines
               [this] { return stop_signal() != 0; })
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
+    for (const FileDrive *file : assembled_.files)
+      file->require(settings_.start, settings_.end);
     refuse_ignored_inertia();
     refuse_tiny_steps();
     solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
@@ -86,7 +89,8 @@ namespace myolines
       {
         const scene::Node &control = time.section("control");
         if (control.has("largest gain"))
-          control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself", "no \"largest gain\", or another method");
+          control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself",
+                         "no \"largest gain\", or another method");
         self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
         return;
       }
@@ -148,6 +152,9 @@ namespace myolines
   {
     std::vector<std::string> warnings = scene_.notes();
     warnings.insert(warnings.end(), assembled_.warnings.begin(), assembled_.warnings.end());
+    for (const FileDrive *file : assembled_.files)
+      if (!file->note().empty())
+        warnings.push_back(file->note());
     for (const scene::Node *output : intervals())
       if (const double rows = (settings_.end - settings_.start) / output->number("interval"); rows >= 1e6)
         {
@@ -190,8 +197,7 @@ namespace myolines
       }
   }
 
-  void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder,
-                       const std::function<int()> &stop)
+  void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop)
   {
     signal_                 = stop;
     const scene::Node &time = scene_.section("time");

@@ -4,6 +4,9 @@
 #include <myolines/system/band_linearisation.h>
 #include <myolines/system/instants.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -77,11 +80,27 @@ namespace myolines
     State state{t0, layout_, layout_, layout_};
     for (unsigned int i = 0; i < parameters_.initial_displacement.size(); ++i)
       state.u.local_element(of_node(i + 1)) = parameters_.initial_displacement[i];
+    if (parameters_.balanced_stretch)
+      stretch_evenly(parameters_.balanced_stretch(t0) - parameters_.initial_stretch, state.u);
     if (solves_activation())
       for (unsigned int e = 0; e < parameters_.n_elements; ++e)
         state.u.local_element(of_activation(e)) =
             parameters_.optimal_length * parameters_.zajac.steady(parameters_.excitation->value(t0, Side::right));
     return state;
+  }
+
+  void Muscle1dSystem::stretch_evenly(const double strain, Vector &u) const
+  {
+    const std::vector<dealii::Point<1>> nodes = dealii::QGaussLobatto<1>(parameters_.degree + 1).get_points();
+    double                              begin = 0;
+    for (unsigned int e = 0; e < parameters_.n_elements; ++e)
+      {
+        const double length = lengths_[e] * parameters_.optimal_length / parameters_.n_elements;
+        for (unsigned int i = 1; i <= parameters_.degree; ++i)
+          if (const unsigned int node = e * parameters_.degree + i; is_free(node))
+            u.local_element(of_node(node)) += strain * (begin + length * nodes[i](0));
+        begin += length;
+      }
   }
 
   double Muscle1dSystem::element_activation(const unsigned int element, const double t, const Vector &u) const
@@ -134,8 +153,6 @@ namespace myolines
       r = std::numeric_limits<double>::quiet_NaN();
       return Evaluation{false, reason};
     };
-    if (point.t > p.input_end && !same_time(point.t, p.input_end))
-      return refused("the samples of the input end at " + std::to_string(p.input_end) + " s");
 
     std::vector<double> u, v, a, force(n_nodes(), 0.);
     scatter(point.u, u);

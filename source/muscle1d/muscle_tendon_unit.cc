@@ -1,7 +1,9 @@
 #include <myolines/muscle1d/gait.h>
 #include <myolines/muscle1d/muscle_tendon_unit.h>
-#include <myolines/muscle1d/sampled.h>
+#include <myolines/scene/numbers.h>
+#include <myolines/system/file_drive.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -60,63 +62,86 @@ namespace myolines
           .number("amplitude", 1, "-", Range::not_negative(), "Of the motion.")
           .number("frequency", 1.4, "Hz", Range::positive(), "f.");
 
-      Schema file("Samples in a file of comma-separated values with names in its first line, at ascending times.");
+      Schema file("Samples of both in tables under names, at ascending times (doc/data.md).");
       file.file("file", "Samples of length and excitation.")
-          .text("time column", "Time [s]", "Name of the column of times [s].")
-          .text("length column", "length [m]", "Name of the column of lengths of muscle and tendon [m], before scaling.")
+          .text("time column", "Time [s]", "Name of the column of times.")
+          .text("length column", "length [m]", "Name of the column of lengths of muscle and tendon, before scaling; [m] if it has no unit.")
           .optional_file("excitation file", "Samples of the excitation, where they are in a file of their own with the same time column.")
           .text("excitation column", "excitation", "Name of the column of excitations, from 0 to 1.")
           .choice("interpolation", "spline", {"spline", "linear"},
-                  "A natural cubic spline, or straight lines, whose every sample is a kink (\"time/events\").")
-          .optional_number("cut-off frequency", "Hz", Range::positive(),
-                           "The spline smooths: oscillations of this frequency are halved, faster ones vanish; where not written it "
-                           "passes through all samples.");
+                  "A cubic spline, monotone where the excitation would leave 0 to 1, or straight lines, whose every sample is a kink.")
+          .optional_number("cut-off frequency", "Hz", Range::positive(), "Oscillations of this frequency are halved, faster ones vanish.");
+      Schema profiles("Each a function of time of its own.");
+      profiles.section("length", drive_schema("length of muscle and tendon, after scaling", "m"))
+          .section("excitation", drive_schema("excitation", "-"));
       Schema schema("Length of muscle and tendon, and excitation.");
-      schema.variant("type", "synthetic", {{"synthetic", synthetic}, {"file", file}}, "Where they come from.");
+      schema.variant("type", "synthetic", {{"synthetic", synthetic}, {"file", file}, {"profiles", profiles}}, "Where they come from.");
       return schema;
     }
 
     struct Input
     {
-      std::shared_ptr<const Drive> length; ///< before scaling [m]
+      std::shared_ptr<const Drive> length; ///< after scaling [m]
       std::shared_ptr<const Drive> excitation;
-      double                       begin = 0; ///< [s]
-      double                       end   = std::numeric_limits<double>::infinity();
     };
 
-    std::shared_ptr<const SampledDrive> sampled(const Node &node, const Samples &samples, const double factor)
+    const Driven driven_length{"length", "m"}, driven_excitation{"excitation", "-", Range::closed(0, 1)};
+
+    /// The column that the parameter @p column names.
+    std::shared_ptr<const FileDrive> sampled(const Node &node, const std::string &file, const std::string &column, const Driven &driven,
+                                             const double factor)
     {
-      const std::string   choice = "interpolation", cut_off = "cut-off frequency";
-      std::vector<double> x = samples.x.front();
-      for (double &value : x)
-        value *= factor;
-      if (node.text(choice) == "spline")
-        return std::make_shared<SampledDrive>(
-            SampledDrive::spline(samples.t, x, node.has(cut_off) ? node.number(cut_off) : std::numeric_limits<double>::infinity()));
-      if (node.has(cut_off))
-        node.refuse(cut_off, "straight lines do not smooth", "\"interpolation\" = \"spline\", or no cut-off frequency");
-      return std::make_shared<SampledDrive>(SampledDrive::lines(samples.t, x));
+      FileProfile profile{node.where(column), {node.file(file), node.text("time column"), node.text(column), ""}};
+      if (node.has("cut-off frequency"))
+        profile.low_pass = node.number("cut-off frequency");
+      profile.scale = factor;
+      profile.lines = node.text("interpolation") == "linear";
+      return std::make_shared<FileDrive>(profile, driven);
+    }
+
+    /// Lengths in another unit are far from the optimal one.
+    void refuse_length(const Node &input, const std::string &parameter, const double length, const double optimal)
+    {
+      if (!(length > 0.2 * optimal && length < 5 * optimal))
+        input.refuse(parameter,
+                     "there is a length of " + scene::format_number(length) + " m, " + scene::format_number(length / optimal) +
+                         " times the optimal length of muscle and tendon",
+                     "lengths [m] from 0.2 to 5 times the optimal one, " + scene::format_number(optimal) + " m",
+                     "millimetres? Then write the unit into the name of the column: \"length [mm]\"");
     }
 
     Input read_input(const Node &input, const double unit_length, const double scale)
     {
-      if (input.text("type") == "synthetic")
-        return {
-            std::make_shared<GaitLength>(scale * unit_length, input.number("base"), input.number("amplitude"), input.number("frequency")),
-            std::make_shared<GaitExcitation>(input.number("frequency"))};
-      const std::string time       = input.text("time column");
-      const Samples     length     = read_samples(input.file("file"), time, {input.text("length column")});
-      const Samples     excitation = read_samples(input.has("excitation file") ? input.file("excitation file") : input.file("file"), time,
-                                              {input.text("excitation column")});
-      for (const double x : length.x.front())
-        if (!(x > 0))
-          input.refuse("length column", "there is a length of " + std::to_string(x) + " m", "lengths > 0 [m]");
-      for (const double x : excitation.x.front())
-        if (x < 0 || x > 1)
-          input.refuse("excitation column", "there is an excitation of " + std::to_string(x), "numbers from 0 to 1");
-      if (std::max(length.t.front(), excitation.t.front()) > 0)
-        input.refuse("file", "the samples begin after the time 0", "samples at 0 s or before");
-      return {sampled(input, length, scale), sampled(input, excitation, 1), 0, std::min(length.t.back(), excitation.t.back())};
+      const double      optimal = scale * unit_length;
+      const std::string type    = input.text("type");
+      if (type == "synthetic")
+        return {std::make_shared<GaitLength>(optimal, input.number("base"), input.number("amplitude"), input.number("frequency")),
+                std::make_shared<GaitExcitation>(input.number("frequency"))};
+      Input read;
+      if (type == "file")
+        read = {sampled(input, "file", "length column", driven_length, scale),
+                sampled(input, input.has("excitation file") ? "excitation file" : "file", "excitation column", driven_excitation, 1)};
+      else
+        read = {make_drive(input.section("length"), driven_length), make_drive(input.section("excitation"), driven_excitation)};
+      const std::string named = type == "file" ? "length column" : "length";
+      if (const FileDrive *file = file_of(read.length.get()))
+        {
+          refuse_length(input, named, file->extremes().least, optimal);
+          refuse_length(input, named, file->extremes().greatest, optimal);
+        }
+      else
+        refuse_length(input, named, read.length->value(0, Side::right), optimal);
+      return read;
+    }
+
+    /// The time nearest to 0 s at which both are known.
+    double reference_time(const Input &input)
+    {
+      double t = 0;
+      for (const Drive *drive : {input.length.get(), input.excitation.get()})
+        if (const FileDrive *file = file_of(drive))
+          t = std::clamp(t, file->begin(), file->end());
+      return t;
     }
 
     /// What both kinds of muscles with tendons share.
@@ -154,14 +179,19 @@ namespace myolines
       p.force.damping             = system.number("damping");
       p.excitation                = input.excitation;
       p.zajac                     = data.zajac;
-      p.input_end                 = input.end;
       p.tendon                    = Tendon{optimal.tendon, input.length};
       if (system.text("activation") == "beforehand")
         p.activation = std::make_shared<ZajacActivation>(data.zajac, input.excitation);
 
-      const double L    = input.length->value(0, Side::right);
-      const double a    = system.text("initial balance") == "active" ? data.zajac.steady(input.excitation->value(0, Side::right)) : 0;
-      p.initial_stretch = balanced_length(optimal, L, a, L * data.length_ratio) / optimal.muscle;
+      const bool active  = system.text("initial balance") == "active";
+      p.balanced_stretch = [=, drive = p.activation, ratio = data.length_ratio, zajac = data.zajac](const double t) {
+        const double L = input.length->value(t, Side::right);
+        const double a = !active            ? 0
+                         : drive != nullptr ? drive->value(t, Side::right)
+                                            : zajac.steady(input.excitation->value(t, Side::right));
+        return balanced_length(optimal, L, a, L * ratio) / optimal.muscle;
+      };
+      p.initial_stretch = p.balanced_stretch(reference_time(input));
       return p;
     }
   } // namespace

@@ -1,6 +1,7 @@
 #include <myolines/muscle3d/activation.h>
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/parameters.h>
+#include <myolines/system/file_drive.h>
 #include <myolines/system/zajac.h>
 
 namespace myolines
@@ -35,18 +36,19 @@ namespace myolines
                     "the activation follows from the excitation by Zajac's equation");
       if (node.has("excitation"))
         {
-          const Node                  &list       = node.section("excitation");
-          std::shared_ptr<const Drive> excitation = make_drive(list);
-          refuse_values_outside(list, *excitation, Range::closed(0, 1), "excitation");
+          const Node                  &list = node.section("excitation");
+          const Driven                 driven{"excitation", "-", Range::closed(0, 1)};
+          std::shared_ptr<const Drive> excitation = make_drive(list, driven);
+          refuse_values_outside(list, *excitation, driven.range, driven.quantity);
           if (excitation->identically_zero())
             return nullptr;
           return std::make_shared<ZajacActivation>(Zajac{list.number("activation time"), list.number("deactivation ratio")}, excitation);
         }
       if (!node.has("activation"))
         return nullptr;
-      std::shared_ptr<const Drive> activation = make_drive(node.section("activation"));
-      // Filtered measurements overshoot 1 by a little.
-      refuse_values_outside(node.section("activation"), *activation, Range::closed(0, 1.1), "activation");
+      const Driven                 driven{"activation", "-", Range::closed(0, 1.1)}; // filtered measurements overshoot 1 by a little
+      std::shared_ptr<const Drive> activation = make_drive(node.section("activation"), driven);
+      refuse_values_outside(node.section("activation"), *activation, driven.range, driven.quantity);
       return activation->identically_zero() ? nullptr : activation;
     }
   } // namespace

@@ -3,6 +3,7 @@
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/formula.h>
 #include <myolines/muscle3d/line_of_action.h>
+#include <myolines/system/file_drive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -164,7 +165,7 @@ namespace myolines
         {
           condition.spring = read_tendon_spring(node.section("spring"));
           if (node.has("motion"))
-            condition.profile = make_drive(node.section("motion"));
+            condition.profile = make_drive(node.section("motion"), Driven{"motion", "m"});
         }
       else if (condition.type != Type::foundation && condition.type != Type::symmetry && node.has("profile"))
         condition.profile = make_drive(node.section("profile"));

@@ -1,5 +1,6 @@
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/system/band_linearisation.h>
+#include <myolines/system/file_drive.h>
 #include <myolines/system/instants.h>
 
 #include <cmath>
@@ -9,9 +10,9 @@ namespace myolines
 {
   namespace
   {
-    std::shared_ptr<const Drive> read_drive(const scene::Node &system, const std::string &name)
+    std::shared_ptr<const Drive> read_drive(const scene::Node &system, const std::string &name, const std::string &unit)
     {
-      return system.has(name) ? std::shared_ptr<const Drive>(make_drive(system.section(name))) : nullptr;
+      return system.has(name) ? std::shared_ptr<const Drive>(make_drive(system.section(name), Driven{name, unit})) : nullptr;
     }
   } // namespace
 
@@ -39,8 +40,8 @@ namespace myolines
     parameters.cubic_stiffness = system.number("cubic stiffness");
     parameters.displacement    = system.number("displacement");
     parameters.velocity        = system.number("velocity");
-    parameters.force           = read_drive(system, "force");
-    parameters.support         = read_drive(system, "support");
+    parameters.force           = read_drive(system, "force", "N");
+    parameters.support         = read_drive(system, "support", "m");
     return parameters;
   }
 
@@ -106,8 +107,8 @@ namespace myolines
   Evaluation OscillatorSystem::residual(const Point &point, Vector &r) const
   {
     ledger_.count("residual evaluations");
-    const double stretch    = difference(point.u);
-    const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch +
+    const double stretch = difference(point.u);
+    const double spring  = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch +
                           parameters_.cubic_stiffness * stretch * stretch * stretch;
     const double load = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
 

@@ -1,5 +1,8 @@
+#include "table_dialect.h"
+
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
+#include <myolines/scene/columns.h>
 #include <myolines/scene/csv.h>
 #include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
@@ -18,12 +21,11 @@ namespace myolines::scene
       std::vector<std::string> cells;
     };
 
-    /// All complete rows of @p text.
-    std::vector<Row> parse(const std::string &text)
+    /// All complete rows of @p text, whose first line is number @p line of the file.
+    std::vector<Row> parse(const std::string &text, const char separator = ',', unsigned int line = 1)
     {
       std::vector<Row> rows;
-      Row              row{1, {""}};
-      unsigned int     line   = 1;
+      Row              row{line, {""}};
       bool             quoted = false;
       for (std::size_t i = 0; i < text.size(); ++i)
         {
@@ -33,7 +35,7 @@ namespace myolines::scene
             row.cells.back() += text[++i];
           else if (c == '"')
             quoted = !quoted;
-          else if (!quoted && c == ',')
+          else if (!quoted && c == separator)
             row.cells.emplace_back();
           else if (!quoted && c == '\n')
             {
@@ -65,6 +67,55 @@ namespace myolines::scene
         }
       return table;
     }
+    /// Rows of a person's table: white space around fields, empty lines and empty fields behind the last name are left out.
+    std::vector<Row> tidied(std::vector<Row> rows)
+    {
+      for (Row &row : rows)
+        for (std::string &cell : row.cells)
+          cell = trimmed(cell);
+      const auto is_empty = [](const Row &row) {
+        return std::all_of(row.cells.begin(), row.cells.end(), [](const std::string &cell) { return cell.empty(); });
+      };
+      rows.erase(std::remove_if(rows.begin(), rows.end(), is_empty), rows.end());
+      if (rows.empty())
+        return rows;
+      std::vector<std::string> &names = rows.front().cells;
+      while (names.back().empty())
+        names.pop_back();
+      for (Row &row : rows)
+        while (row.cells.size() > names.size() && row.cells.back().empty())
+          row.cells.pop_back();
+      return rows;
+    }
+
+    /// Decimal commas become points, where no field of @p table has a point. @throws InputError where both occur.
+    void replace_decimal_commas(CsvTable &table)
+    {
+      std::optional<std::size_t> comma, point;
+      for (std::size_t row = 0; row < table.rows.size(); ++row)
+        for (const std::string &cell : table.rows[row])
+          if (!comma && with_decimal_point(cell))
+            comma = row;
+          else if (!point && cell.find('.') != std::string::npos && parse_number(cell))
+            point = row;
+      if (comma && point)
+        throw InputError(InputProblem{table.where(*comma),
+                                      "has a decimal comma, and line " + std::to_string(table.lines[*point]) + " a decimal point",
+                                      "one of them in the whole table", ""});
+      if (comma)
+        for (auto &row : table.rows)
+          for (std::string &cell : row)
+            cell = with_decimal_point(cell).value_or(cell);
+    }
+
+    void refuse_missing_names(const CsvTable &table, const unsigned int line)
+    {
+      const auto is_number = [](const std::string &cell) { return parse_number(cell) || with_decimal_point(cell); };
+      if (std::all_of(table.header.begin(), table.header.end(), is_number))
+        throw InputError(InputProblem{table.file.string() + ", line " + std::to_string(line),
+                                      "there are numbers where the names of the columns should be",
+                                      "names in the first line that is no comment, such as \"Time [s]\"", ""});
+    }
   } // namespace
 
   std::optional<std::size_t> CsvTable::column(const std::string &name) const
@@ -75,10 +126,22 @@ namespace myolines::scene
 
   std::size_t CsvTable::required_column(const std::string &name) const
   {
-    if (const auto found = column(name))
-      return *found;
-    throw InputError(InputProblem{file.string(), "there is no column \"" + name + "\"", "one of " + join(header),
-                                  nearest_hint(name, header, "nearest valid name")});
+    const std::vector<std::size_t> found = matching_columns(name, header);
+    if (found.size() == 1)
+      return found.front();
+    if (found.empty())
+      {
+        std::vector<std::string> quantities;
+        for (const std::string &column : header)
+          quantities.push_back(split_column_name(column).quantity);
+        throw InputError(InputProblem{file.string(), "there is no column \"" + name + "\"", "one of " + join(header),
+                                      nearest_hint(split_column_name(name).quantity, quantities, "nearest valid name")});
+      }
+    std::vector<std::string> names;
+    for (const std::size_t i : found)
+      names.push_back("\"" + header[i] + "\"");
+    throw InputError(InputProblem{file.string(), "several columns may be meant by \"" + name + "\": " + join(names),
+                                  "the whole name of one of them, which no other has", ""});
   }
 
   std::vector<double> CsvTable::numbers(const std::size_t column) const
@@ -112,20 +175,21 @@ namespace myolines::scene
 
   CsvTable read_csv_input(const std::filesystem::path &file)
   {
-    std::vector<Row> rows = parse(read_input_text(file) + "\n");
-    rows.erase(
-        std::remove_if(rows.begin(), rows.end(), [](const Row &row) { return row.cells.size() == 1 && trimmed(row.cells[0]).empty(); }),
-        rows.end());
+    const TableText  text = find_table(read_input_text(file), file);
+    std::vector<Row> rows = tidied(parse(text.text, text.separator, text.line));
     if (rows.empty())
-      throw InputError(InputProblem{file.string(), "there is nothing in it", "comma-separated values with names in the first line", ""});
-    for (Row &row : rows)
-      for (std::string &cell : row.cells)
-        cell = trimmed(cell);
+      throw InputError(InputProblem{file.string(), "there is no table in it", "values in columns, with names in the first line", ""});
     CsvTable table = table_of(file, std::move(rows));
+    refuse_missing_names(table, text.line);
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-      if (table.rows[row].size() != table.header.size())
-        throw InputError(InputProblem{table.where(row), "has " + std::to_string(table.rows[row].size()) + " fields",
-                                      std::to_string(table.header.size()) + ", as many as the first line", ""});
+      if (const std::size_t n = table.rows[row].size(), n_names = table.header.size(); n != n_names)
+        throw InputError(InputProblem{
+            table.where(row), "has " + std::to_string(n) + " fields", std::to_string(n_names) + ", as many as there are names",
+            text.separator == ',' && n > n_names ? "decimal commas cannot be told from commas between fields: separate fields by "
+                                                   "semicolons or tabs, or write decimal points"
+                                                 : ""});
+    if (text.separator != ',')
+      replace_decimal_commas(table);
     return table;
   }
 } // namespace myolines::scene

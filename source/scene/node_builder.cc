@@ -239,8 +239,8 @@ namespace myolines::scene
     }
   } // namespace
 
-  /// An override that chooses another alternative takes with it what the file has for the former one; what overrides say themselves stays, and
-  /// is refused where it does not apply.
+  /// An override that chooses another alternative takes with it what the file has for the former one; what overrides say themselves stays,
+  /// and is refused where it does not apply.
   void NodeBuilder::drop_former(RawList &raw, const std::vector<const Schema *> &chain, const Names &names, const std::string &path)
   {
     for (const Schema *link : chain)
@@ -318,7 +318,7 @@ namespace myolines::scene
       return raw.text;
     const std::string text = trimmed(raw.text);
     if (entry.kind == Kind::file)
-      return checked_file(text, entry, where);
+      return checked_file(text, entry, where, raw.from_override);
     if (entry.kind == Kind::choice && !contains(entry.choices, text))
       return refuse(quoted(text) + " is not a valid choice", nearest_or_all(text, entry.choices));
     if (entry.kind == Kind::boolean && text != "true" && text != "false")
@@ -336,7 +336,8 @@ namespace myolines::scene
     return text;
   }
 
-  std::optional<std::string> NodeBuilder::checked_file(const std::string &text, const Entry &entry, const std::string &where)
+  std::optional<std::string> NodeBuilder::checked_file(const std::string &text, const Entry &entry, const std::string &where,
+                                                       const bool from_override)
   {
     const auto refuse = [&](const std::string &what) {
       problems_.push_back({where, what, entry.expected(), ""});
@@ -344,8 +345,10 @@ namespace myolines::scene
     };
     if (text.empty())
       return refuse("there is no file \"\"");
-    const std::filesystem::path file = std::filesystem::absolute(folder_ / text).lexically_normal();
     std::error_code             none; // what cannot be looked at is not there
+    const bool                  of_caller = from_override && std::filesystem::is_regular_file(text, none);
+    const std::filesystem::path folder    = of_caller ? std::filesystem::path() : folder_;
+    const std::filesystem::path file      = std::filesystem::absolute(folder / text).lexically_normal();
     if (!std::filesystem::is_regular_file(file, none))
       return refuse("there is no file " + quoted(file.string()) +
                     (std::filesystem::exists(file, none) ? ": it is a folder, a device or a pipe" : ""));

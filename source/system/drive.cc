@@ -2,6 +2,7 @@
 #include <myolines/scene/numbers.h>
 #include <myolines/system/drive.h>
 #include <myolines/system/drive_types.h>
+#include <myolines/system/file_drive.h>
 
 #include <cmath>
 #include <sstream>
@@ -150,6 +151,7 @@ namespace myolines
         "type", "constant",
         {{"constant", constant},
          {"control points", points_schema(unit, "Straight lines between control points, constant before the first and after the last.")},
+         {"file", file_profile_schema(unit)},
          {"spline", points_schema(unit, "The C2 spline through control points with slope zero at both ends, constant outside.")},
          {"ramp", ramp},
          {"smooth step", smooth},
@@ -159,9 +161,13 @@ namespace myolines
     return schema;
   }
 
-  std::unique_ptr<Drive> make_drive(const scene::Node &node)
+  std::unique_ptr<Drive> make_drive(const scene::Node &node) { return make_drive(node, Driven()); }
+
+  std::unique_ptr<Drive> make_drive(const scene::Node &node, const Driven &driven)
   {
     const std::string type = node.text("type");
+    if (type == "file")
+      return make_file_drive(node, driven);
     if (type == "control points")
       return std::make_unique<PiecewiseDrive>(PiecewiseDrive::lines(read_points(node)));
     if (type == "spline")

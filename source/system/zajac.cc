@@ -1,3 +1,4 @@
+#include <myolines/system/sampled.h>
 #include <myolines/system/zajac.h>
 
 #include <algorithm>
@@ -18,7 +19,9 @@ namespace myolines
       : zajac(zajac_)
       , excitation(excitation_)
     {
-      rows.push_back({0, zajac.steady(excitation.value(0, Side::right)), 0, 0});
+      if (const auto *samples = dynamic_cast<const SampledDrive *>(&excitation))
+        start = samples->begin();
+      rows.push_back({start, zajac.steady(excitation.value(start, Side::right)), 0, 0});
     }
 
     double rate(const double t, const Side side, const double a) const { return zajac.rate(excitation.value(t, side), a); }
@@ -38,7 +41,7 @@ namespace myolines
     {
       while (rows.back().t < t)
         {
-          const double        begin = chunks * chunk, end = ++chunks * chunk;
+          const double        begin = start + chunks * chunk, end = start + ++chunks * chunk;
           std::vector<double> instants;
           for (unsigned int i = 1; begin + i * step < end - step / 2; ++i)
             instants.push_back(begin + i * step);
@@ -52,7 +55,7 @@ namespace myolines
         }
     }
 
-    /// The two rows around @p t > 0.
+    /// The two rows around @p t after the start.
     std::pair<const Row &, const Row &> around(const double t)
     {
       reach(t);
@@ -62,6 +65,7 @@ namespace myolines
 
     const Zajac      zajac;
     const Drive     &excitation;
+    double           start = 0; ///< [s]
     std::vector<Row> rows;
     unsigned int     chunks = 0;
   };
@@ -74,9 +78,14 @@ namespace myolines
 
   ZajacActivation::~ZajacActivation() = default;
 
+  bool ZajacActivation::is_before_start(const double t, const Side side) const
+  {
+    return t < table_->start || (t == table_->start && side == Side::left);
+  }
+
   double ZajacActivation::value(const double t, Side) const
   {
-    if (t <= 0)
+    if (t <= table_->start)
       return table_->rows.front().a;
     const auto [begin, end] = table_->around(t);
     const double h = end.t - begin.t, s = (t - begin.t) / h;
@@ -86,13 +95,13 @@ namespace myolines
 
   double ZajacActivation::first_derivative(const double t, const Side side) const
   {
-    return t < 0 || (t == 0 && side == Side::left) ? 0 : zajac_.rate(excitation_->value(t, side), value(t, side));
+    return is_before_start(t, side) ? 0 : zajac_.rate(excitation_->value(t, side), value(t, side));
   }
 
   /// From the equation, differentiated.
   double ZajacActivation::second_derivative(const double t, const Side side) const
   {
-    if (t < 0 || (t == 0 && side == Side::left))
+    if (is_before_start(t, side))
       return 0;
     const double u = excitation_->value(t, side), du = excitation_->first_derivative(t, side), a = value(t, side);
     return ((1 - (1 - zajac_.ratio) * a) * du - zajac_.decay(u) * zajac_.rate(u, a)) / zajac_.time_constant;

@@ -2,6 +2,7 @@
 #include "../support/temporary.h"
 
 #include <myolines/base/error.h>
+#include <myolines/scene/columns.h>
 #include <myolines/scene/csv.h>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,90 @@ namespace
     EXPECT_THROW(table.numbers(1), InputError);
     EXPECT_FALSE(table.column("b"));
     EXPECT_THROW(table.required_column("b"), InputError);
+  }
+
+  TEST_F(CsvInput, ReadsSemicolonsTabsAndDecimalCommas)
+  {
+    for (const char *text : {"a;b c\n0,5;-1,5e-3\n1;2,25\n", "a\tb c\n0,5\t-1,5e-3\n1\t2,25\t\n", "a,b c\n0.5,-1.5e-3\n1,2.25,\n",
+                             "\xEF\xBB\xBF\"a\";\"b c\";\r\n0.5;-1.5e-3;\r\n;;\r\n1;2.25;\r\n"})
+      {
+        const CsvTable table = read(text);
+        EXPECT_EQ(table.header, (std::vector<std::string>{"a", "b c"})) << text;
+        EXPECT_EQ(table.numbers(0), (std::vector<double>{0.5, 1})) << text;
+        EXPECT_EQ(table.numbers(1), (std::vector<double>{-1.5e-3, 2.25})) << text;
+      }
+    EXPECT_EQ(read("Zeit [s];Kraft, links\n0,5;2\n").header[1], "Kraft, links");
+  }
+
+  TEST_F(CsvInput, SkipsCommentsAndHeadersInFront)
+  {
+    const CsvTable commented = read("# recorded\n% by hand\n\nt,x\n0,1\n0.1,\n");
+    EXPECT_EQ(commented.header, (std::vector<std::string>{"t", "x"}));
+    EXPECT_NE(commented.where(1).find("line 6"), std::string::npos);
+    for (const char *separator : {"\t", "   "})
+      {
+        const std::string between = separator;
+        const CsvTable storage = read("Controls, of a model\nversion=1\nnRows=2\nendheader\ntime" + between + "soleus_r\n  0.00" + between +
+                                      "  0.1\n  0.01" + between + "  0.2\n");
+        EXPECT_EQ(storage.header, (std::vector<std::string>{"time", "soleus_r"}));
+        EXPECT_EQ(storage.numbers(1), (std::vector<double>{0.1, 0.2}));
+        EXPECT_NE(storage.where(0).find("line 6"), std::string::npos);
+      }
+  }
+
+  TEST_F(CsvInput, WhatMayBeReadInSeveralWaysIsRefused)
+  {
+    const auto complaint = [this](const std::string &text) -> std::string {
+      try
+        {
+          read(text);
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "accepted";
+    };
+    EXPECT_NE(complaint("a,b;c\n1;2;3\n").find("separated by commas, semicolons or tabs"), std::string::npos);
+    EXPECT_NE(complaint("a,b\n0,5,1,5\n").find("decimal commas"), std::string::npos);
+    EXPECT_NE(complaint("a;b\n0,5;1\n1.5;2\n").find("line 2: has a decimal comma, and line 3 a decimal point"), std::string::npos);
+    EXPECT_NE(complaint("0.0,1\n0.1,2\n").find("Time [s]"), std::string::npos);
+    EXPECT_NE(complaint("0,0;1\n0,1;2\n").find("where the names"), std::string::npos);
+  }
+
+  TEST_F(CsvInput, NamesMeanColumnsWithoutUnitsAndCase)
+  {
+    const CsvTable table = read("Time [ms],length (mm),Force,force [N],x [m],x [mm]\n0,1,2,3,4,5\n");
+    EXPECT_EQ(table.required_column("time"), 0u);
+    EXPECT_EQ(table.required_column("length [m]"), 1u);
+    EXPECT_EQ(table.required_column("Force"), 2u);
+    EXPECT_EQ(table.required_column("force"), 3u); // without its unit
+    EXPECT_EQ(table.required_column("x [mm]"), 5u);
+    EXPECT_THROW(table.required_column("x"), InputError);
+    EXPECT_THROW(table.required_column("FORCE"), InputError);
+    try
+      {
+        table.required_column("lenght");
+        ADD_FAILURE();
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_NE(std::string(error.what()).find("nearest valid name: \"length\""), std::string::npos) << error.what();
+      }
+  }
+
+  TEST(Columns, UnitsAreConverted)
+  {
+    EXPECT_EQ(split_column_name("lumbar length [mm] ").quantity, "lumbar length");
+    EXPECT_EQ(split_column_name("share (%)").unit, "%");
+    EXPECT_EQ(split_column_name("plain").unit, "");
+    EXPECT_DOUBLE_EQ(*unit_factor("mm", "m"), 1e-3);
+    EXPECT_DOUBLE_EQ(*unit_factor("kN", "N"), 1e3);
+    EXPECT_DOUBLE_EQ(*unit_factor("%", "-"), 1e-2);
+    EXPECT_DOUBLE_EQ(*unit_factor("s", "ms"), 1e3);
+    EXPECT_EQ(unit_factor("a.u.", "a.u."), 1.);
+    EXPECT_FALSE(unit_factor("N", "m"));
+    EXPECT_FALSE(unit_factor("a.u.", "-"));
   }
 
   TEST_F(CsvInput, WhatIsNoTableIsRefused)

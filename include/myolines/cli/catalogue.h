@@ -14,6 +14,8 @@
 
 namespace myolines
 {
+  class FileDrive;
+
   /// A system as a scene describes it.
   struct AssembledSystem
   {
@@ -24,6 +26,8 @@ namespace myolines
 
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
+
+    std::vector<const FileDrive *> files; ///< that drive the system
 
     std::function<std::vector<std::string>()> measure; ///< more lines, which take work; none where there are none
   };

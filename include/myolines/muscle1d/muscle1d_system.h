@@ -5,7 +5,7 @@
 #include <myolines/system/semi_discrete_system.h>
 #include <myolines/system/zajac.h>
 
-#include <limits>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -49,8 +49,11 @@ namespace myolines
     Zajac                        zajac;
     std::optional<Tendon>        tendon; ///< none: the end of the muscle is fixed
 
-    std::vector<double> initial_displacement;                                ///< of the free nodes [m]; empty: none
-    double              input_end = std::numeric_limits<double>::infinity(); ///< the input is known until then [s]
+    std::vector<double> initial_displacement; ///< of the free nodes [m]; empty: none
+
+    /// Stretch of all elements at which muscle and tendon balance at a time, with which a run begins that starts there; none: with the
+    /// initial one.
+    std::function<double(double)> balanced_stretch;
   };
 
   /// A muscle in one dimension, thesis chapters 2 and 3. Material coordinate X in (0, l_M), position x = l_0 X + u with the initial
@@ -73,7 +76,7 @@ namespace myolines
   /// Unknowns: displacements of the free nodes [m] along the muscle, of second order, or of first order without mass. Where
   /// the activation is solved with the motion, each element has its own, of first order, before the nodes that end it; the unknown is
   /// l_M a [m], so that one norm fits all. Fixed nodes are no unknowns, and there are no constraints. Inadmissible: a stretch that
-  /// is not positive; times after the end of the input. One rank computes it.
+  /// is not positive. One rank computes it.
   class Muscle1dSystem : public SemiDiscreteSystem
   {
   public:
@@ -122,6 +125,9 @@ namespace myolines
     double reynolds_number() const;
     /// Force over F_0 of an element, with the artificial viscosity of fronts; @p rate: of the stretch [1/s].
     HillForce::Value element_force(unsigned int element, double stretch, double rate, double activation) const;
+
+    /// Adds the displacements of an even strain.
+    void stretch_evenly(double strain, Vector &u) const;
 
     /// Values of all nodes, the fixed ones too.
     void scatter(const Vector &x, std::vector<double> &nodes) const;

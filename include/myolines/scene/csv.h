@@ -17,7 +17,8 @@ namespace myolines::scene
 
     /// Index of the column with that name; nothing if there is none.
     std::optional<std::size_t> column(const std::string &name) const;
-    /// The same. @throws InputError with the nearest name.
+    /// The column that a person means by @p name: units in brackets and case count only where they decide between several.
+    /// @throws InputError with the nearest name, or with those that may be meant.
     std::size_t required_column(const std::string &name) const;
     /// The finite numbers of a column. @throws InputError that names the line.
     std::vector<double> numbers(std::size_t column) const;
@@ -29,6 +30,8 @@ namespace myolines::scene
   /// has not as many fields as the header.
   std::optional<CsvTable> read_csv(const std::filesystem::path &file);
 
-  /// A file that a person gives: white space around fields and empty lines are left out. @throws InputError for what is no table.
+  /// A file that a person gives: fields are separated by commas, semicolons or tabs, decimals by points or, where commas do not separate
+  /// and no number has a point, by commas; lines that begin with # or % in front, OpenSim's headers, white space around fields, empty lines
+  /// and separators at the ends of lines are left out. @throws InputError for what is no table.
   CsvTable read_csv_input(const std::filesystem::path &file);
 } // namespace myolines::scene

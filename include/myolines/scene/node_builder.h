@@ -30,7 +30,7 @@ namespace myolines::scene
     void                       refuse_unknown(const RawList &raw, const Names &names, const Node &node);
     void                       drop_former(RawList &raw, const std::vector<const Schema *> &chain, const Names &names, const std::string &path);
     std::optional<std::string> checked(const RawParameter &raw, const Entry &entry, const std::string &where);
-    std::optional<std::string> checked_file(const std::string &text, const Entry &entry, const std::string &where);
+    std::optional<std::string> checked_file(const std::string &text, const Entry &entry, const std::string &where, bool from_override);
     std::string                where(const Node &node, const std::string &name, bool from_override) const;
 
     std::string                name_;

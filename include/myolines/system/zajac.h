@@ -22,14 +22,17 @@ namespace myolines
     double steady(double excitation) const { return excitation / decay(excitation); }
   };
 
-  /// The activation that belongs to an excitation, steady at time 0 and before, by Zajac's equation: integrated beforehand on a grid of
-  /// 0.4 ms (and the kinks of the excitation) by the classical Runge-Kutta method, cubic in between; error below 1e-8 where the
-  /// excitation changes within 10 ms. The table grows as later times are asked for; what has been answered never changes.
+  /// The activation that belongs to an excitation, steady at time 0 and before, or, if the excitation is known from samples, at the first
+  /// of them, by Zajac's equation: integrated beforehand on a grid of 0.4 ms (and the kinks of the excitation) by the classical Runge-Kutta
+  /// method, cubic in between; error below 1e-8 where the excitation changes within 10 ms. The table grows as later times are asked for;
+  /// what has been answered never changes.
   class ZajacActivation : public Drive
   {
   public:
     ZajacActivation(const Zajac &zajac, std::shared_ptr<const Drive> excitation);
     ~ZajacActivation() override;
+
+    const Drive &excitation() const { return *excitation_; }
 
     double              value(double t, Side side) const override;
     double              first_derivative(double t, Side side) const override;
@@ -38,6 +41,8 @@ namespace myolines
 
   private:
     struct Table;
+
+    bool is_before_start(double t, Side side) const;
 
     const Zajac                        zajac_;
     const std::shared_ptr<const Drive> excitation_;

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <myolines/system/drive.h>
+
+#include <vector>
+
+namespace myolines
+{
+  /// The values @p x at ascending times @p t, low-passed by the natural cubic smoothing spline (Reinsch, doi:10.1007/BF02162161; Green and
+  /// Silverman, doi:10.1201/b15710): the function f that minimises sum (x_i - f(t_i))^2 + p int f''^2 dt. At @p cut_off f_c [Hz] it passes
+  /// half of an oscillation, p = 1/(h (2 pi f_c)^4) with h the mean distance of samples: the gain is 1/(1 + (f/f_c)^4), that of a
+  /// Butterworth filter of second order forwards and backwards. It overshoots beside jumps.
+  std::vector<double> spline_filtered(const std::vector<double> &t, const std::vector<double> &x, double cut_off);
+
+  /// A quantity between its samples, by cubics; constant outside.
+  class SampledDrive : public Drive
+  {
+  public:
+    /// Straight lines; every sample is a kink.
+    static SampledDrive lines(const std::vector<double> &t, const std::vector<double> &x);
+
+    /// The natural cubic spline, with continuous second derivative; no kinks inside.
+    static SampledDrive spline(const std::vector<double> &t, const std::vector<double> &x);
+
+    /// The cubics that rise and fall only where the samples do (Fritsch and Butland, doi:10.1137/0905021): they leave no bounds that the
+    /// samples keep. The first derivative is continuous, the second jumps at samples, and none of them counts as a kink inside.
+    static SampledDrive monotone(const std::vector<double> &t, const std::vector<double> &x);
+
+    double              value(double t, Side side) const override;
+    double              first_derivative(double t, Side side) const override;
+    double              second_derivative(double t, Side side) const override;
+    std::vector<double> kinks(double t0, double t1) const override;
+    bool                identically_zero() const override;
+
+    double begin() const { return t_.front(); } ///< [s]
+    double end() const { return t_.back(); }    ///< [s]
+
+    struct Extremes
+    {
+      double least, greatest;
+    };
+    /// Of all times, between samples too.
+    Extremes extremes() const;
+
+  private:
+    /// Slopes at the begin and at the end of each interval.
+    SampledDrive(std::vector<double> t, std::vector<double> x, std::vector<double> begin_slope, std::vector<double> end_slope, bool smooth);
+
+    /// x_i + h s (c1 + s (c2 + s c3)) with s from 0 to 1.
+    struct Cubic
+    {
+      double h, c1, c2, c3;
+    };
+    Cubic cubic(std::size_t i) const;
+
+    /// Number of the interval that holds @p t or ends (begins) there; none outside.
+    bool interval(double t, Side side, std::size_t &i) const;
+
+    std::vector<double> t_, x_, begin_slope_, end_slope_;
+    bool                smooth_; ///< inside
+  };
+} // namespace myolines
