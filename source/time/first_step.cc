@@ -58,9 +58,10 @@ namespace myolines
   void declare_first_step(scene::Schema &schema)
   {
     schema.choice(
-        "first step", "sdirk2", {"sdirk2", "own"},
-        "Method of the first step of every smooth piece (start of the run, restarts at kinks): sdirk2, which needs no acceleration "
-        "and damps what the step does not resolve, or the formulas of this method, from the acceleration M a = -F.");
+        "first step", "l-stable", {"l-stable", "own"},
+        "First step of every smooth piece (start of the run, restarts at kinks): one of Alexander's L-stable method of two stages, "
+        "which needs no acceleration and damps what the step does not resolve, or by the formulas of this method, from the "
+        "acceleration M a = -F.");
   }
 
   FirstStep first_step(const scene::Node &integrator)

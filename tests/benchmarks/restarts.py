@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
-"""Methods at kinks, beside sdirk3: restarts.py PROGRAM [--refinement 1] [--tables activation boundary] [--methods NAME ...] [--set PATH=VALUE ...]
+"""Methods at kinks, beside sdirk3: restarts.py PROGRAM [--refinement 1] [--tables activation boundary orders] [--methods NAME ...] [--set PATH=VALUE ...]
 
 Runs of input/kinked_block.xml with other drives. Activation: to one half within the time in the head, both ends held. Boundary: an active block whose end is
 stretched by 5 % with kinks at 0.05 s and 0.15 s, pulled from the start, or stretched a little within a short time. An entry is how far the force at the moving end is from that of sdirk3 with the same steps, in percent:
 at the end of the run, and the most it is after any step from the first kink on, relative to the largest force of sdirk3. "fails": a step that does
 not converge; empty: refused. --set goes to all runs but those of sdirk3.
+
+--tables orders: errors of two displacements at the end of the stretch, with restarts, 16, 32 and 64 steps, against 512 of sdirk3, and the order between the last two.
 """
 
 import argparse
+import csv
+import math
 import os
 import tempfile
 
@@ -102,6 +106,33 @@ def text(entry):
     return entry if isinstance(entry, str) else f"{entry[0]:.1f} ({entry[1]:.1f})"
 
 
+def displacements(program, settings, steps, folder):
+    """Of two points at the end of the stretch; None if the scene is refused or a step fails."""
+    tight = {"time/step": 0.2 / steps, "output/series/markers": "a 0.015 0.005 0.01; b 0.02 0.01 0.01",
+             "solver/nonlinear/relative tolerance": 1e-12, "solver/nonlinear/absolute tolerance": 1e-11}
+    if not isinstance(forces(program, dict(settings, **tight), folder), list):
+        return None
+    with open(os.path.join(folder, "displacements-3d.csv"), newline="") as file:
+        return [float(entry) for entry in list(csv.reader(file))[-1][1:]]
+
+
+def errors(run, settings, reference):
+    found = [run(settings, steps) for steps in (16, 32, 64)]
+    if None in found:
+        return ""
+    sizes = [math.dist(u, reference) / math.hypot(*reference) for u in found]
+    return " / ".join(f"{size:.1e}" for size in sizes) + f", {math.log2(sizes[1] / sizes[2]):.1f}"
+
+
+def print_orders(methods, more, run):
+    columns = {rates: BOUNDARY[f"stretch, {rates}"][1] for rates in ("exact", "scheme")}
+    print("| method | " + " | ".join(columns) + " |\n|---|---|---|")
+    references = {rates: run(dict(settings, **method("sdirk3")), 512) for rates, settings in columns.items()}
+    for name in methods:
+        entries = [errors(run, dict(settings, **METHODS[name], **more), references[rates]) for rates, settings in columns.items()]
+        print(f"| {name} | " + " | ".join(entries) + " |", flush=True)
+
+
 def worst(entries):
     numbers = [entry for entry in entries if not isinstance(entry, str)]
     return tuple(max(column) for column in zip(*numbers)) if numbers else ""
@@ -119,7 +150,7 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("program")
     arguments.add_argument("--refinement", type=int, default=1)
-    arguments.add_argument("--tables", nargs="+", default=list(TABLES), choices=list(TABLES))
+    arguments.add_argument("--tables", nargs="+", default=list(TABLES), choices=[*TABLES, "orders"])
     arguments.add_argument("--methods", nargs="+", default=list(METHODS), choices=list(METHODS))
     arguments.add_argument("--only", nargs="+", metavar="PROTOCOL", help="columns, by their heads")
     arguments.add_argument("--set", nargs="+", default=[], metavar="PATH=VALUE")
@@ -133,6 +164,10 @@ def main():
         for i, table in enumerate(given.tables):
             if i > 0:
                 print()
+            if table == "orders":
+                out = os.path.join(folder, "out")
+                print_orders(given.methods, more, lambda settings, steps: displacements(given.program, dict(common, **settings), steps, out))
+                continue
             print_table({name: p for name, p in TABLES[table].items() if not given.only or name in given.only}, given.methods, more, run)
 
 

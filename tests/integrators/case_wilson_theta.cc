@@ -7,7 +7,7 @@ namespace myolines::testing
   namespace
   {
     /// (u, dt v, dt^2 a): linear acceleration, and a + 2 xi w v + w^2 u = 0 at t_0 + theta dt.
-    Case wilson_case(const std::string &label, const double theta, const std::string &first_step = "sdirk2")
+    Case wilson_case(const std::string &label, const double theta, const std::string &first_step = "l-stable")
     {
       Case c;
       c.label        = "wilson_theta_" + label;
