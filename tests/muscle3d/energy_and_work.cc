@@ -68,6 +68,48 @@ namespace myolines
       return {energy - first - supplied, largest};
     }
 
+    /// dE/dt = rates + sum of r v over the free unknowns, at any state: what systems state belongs to their residual.
+    TEST(Energy, StatedByTheSystemBelongsToTheResidual)
+    {
+      Simulation   run(contraction());
+      State        s = run.system.initial_state(0.05);
+      unsigned int seed = 1;
+      for (const auto &[x, size] : {std::pair<Vector *, double>{&s.u, 1e-4}, {&s.v, 1e-2}, {&s.a, 1.}})
+        {
+          x->zero_out_ghost_values();
+          Vector random = *x;
+          test::randomise(random, size, seed++);
+          for (const auto i : x->locally_owned_elements())
+            if (!run.system.constraints().is_constrained(i))
+              (*x)(i) = random(i);
+          x->update_ghost_values();
+        }
+      const double h      = 1e-6;
+      const auto   energy = [&](const double part) {
+        State moved = s;
+        for (const auto &[x, rate] : {std::pair<Vector *, const Vector *>{&moved.u, &s.v}, {&moved.v, &s.a}})
+          {
+            x->zero_out_ghost_values();
+            x->add(part, *rate);
+            x->update_ghost_values();
+          }
+        return run.system.energetics(moved, Side::left).energy;
+      };
+      Vector r = s.u;
+      ASSERT_TRUE(run.system.residual({s.t, Side::left, s.u, s.v, s.a}, r).admissible);
+      double free = 0, size = 0;
+      for (const auto i : r.locally_owned_elements())
+        if (!run.system.constraints().is_constrained(i))
+          {
+            free += r(i) * s.v(i);
+            size += std::abs(r(i) * s.v(i));
+          }
+      const EnergyRates rates    = run.system.energetics(s, Side::left).rates;
+      const double      expected = rates.active - rates.dissipation + rates.external + dealii::Utilities::MPI::sum(free, MPI_COMM_WORLD);
+      EXPECT_NE(rates.active, 0);
+      EXPECT_NEAR((energy(h) - energy(-h)) / (2 * h), expected, 1e-5 * size);
+    }
+
     TEST(Energy, BalanceClosesWithTheOrderOfTheMethod)
     {
       const auto [coarse, scale] = drift(40);

@@ -163,3 +163,27 @@ TEST(Oscillator, isReadFromAScene)
   EXPECT_TRUE(parameters.force);
   EXPECT_FALSE(parameters.support);
 }
+
+/// dE/dt = rates + r v of the mass, at any state: the identity that the balance of energy rests on.
+TEST(Oscillator, energyAndItsRatesBelongToTheResidual)
+{
+  WorkLedger             ledger;
+  const OscillatorSystem system(full(), ledger);
+  std::mt19937           generator(5);
+  State                  s = random_state(system, generator);
+  s.t                      = 0.6;
+  const double h           = 1e-5;
+  const auto   energy      = [&](const double part) {
+    State moved = s;
+    for (unsigned int i = 0; i < 2; ++i)
+      {
+        moved.u(i) += part * s.v(i);
+        moved.v(i) += part * s.a(i);
+      }
+    return system.energetics(moved, Side::left).energy;
+  };
+  const EnergyRates rates = system.energetics(s, Side::left).rates;
+  EXPECT_NEAR((energy(h) - energy(-h)) / (2 * h), rates.active - rates.dissipation + rates.external + residual(system, s)(0) * s.v(0), 1e-8);
+  EXPECT_NEAR(rates.dissipation, 0.3 * std::pow(s.v(0) - s.v(1), 2), 1e-14);
+  EXPECT_TRUE(system.capabilities().energy);
+}

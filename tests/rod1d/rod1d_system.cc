@@ -218,3 +218,34 @@ TEST(Rod1d, itsForcesAreDerivativesOfItsEnergy)
         }
     }
 }
+
+/// dE/dt = rates + sum of r v over the free nodes and the fixed one, at any state.
+TEST(Rod1d, energyAndItsRatesBelongToTheResidual)
+{
+  for (const bool linear : {true, false})
+    for (const unsigned int degree : {1u, 2u, 3u})
+      {
+        WorkLedger        ledger;
+        const Rod1dSystem system(parameters(degree, linear), ledger);
+        const State       s      = random_state(system, 1e-3);
+        const double      h      = 1e-4;
+        const auto        energy = [&](const double part) {
+          State moved = s;
+          for (unsigned int i = 0; i < s.u.size(); ++i)
+            {
+              moved.u(i) += part * s.v(i);
+              moved.v(i) += part * s.a(i);
+            }
+          return system.energetics(moved, Side::left).energy;
+        };
+        const Vector r        = residual(system, s);
+        double       expected = system.energetics(s, Side::left).rates.external, size = 0;
+        for (unsigned int i = 0; i + 1 < r.size(); ++i)
+          {
+            expected += r(i) * s.v(i);
+            size += std::abs(r(i) * s.v(i));
+          }
+        EXPECT_NEAR((energy(h) - energy(-h)) / (2 * h), expected, 1e-6 * size) << degree << linear;
+        EXPECT_EQ(system.energy_rates(s).external, system.energetics(s, Side::left).rates.external);
+      }
+}
