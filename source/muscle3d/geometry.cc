@@ -186,8 +186,8 @@ namespace myolines
   {
     if (!geometry.mesh || geometry.mesh->n_named >= 2)
       return {{face_centre(geometry, 0), face_centre(geometry, 1)}};
-    const auto &x        = geometry.mesh->vertices;
-    const auto  along_x  = [](const dealii::Point<3> &a, const dealii::Point<3> &b) { return a[0] < b[0]; };
+    const auto &x         = geometry.mesh->vertices;
+    const auto  along_x   = [](const dealii::Point<3> &a, const dealii::Point<3> &b) { return a[0] < b[0]; };
     const auto  outermost = std::minmax_element(x.begin(), x.end(), along_x);
     return {{*outermost.first, *outermost.second}};
   }
