@@ -352,11 +352,11 @@ namespace myolines
         }
       const std::string pennation = "system/geometry/pennation angle", layers = "system/tissues/aponeurosis";
       for (const Rule &rule : peer.rules())
-        if (const std::string path = rule.path; !path.empty())
+        if (std::string path = rule.path; !path.empty() && (path.rfind(layers, 0) != 0 || has_aponeurosis(options)))
           {
-            if (path.rfind(layers, 0) == 0 && !has_aponeurosis(options))
-              continue;
-            settings.push_back({path == pennation && !options.mesh.empty() ? "system/fibres/angle" : path, peer.text(rule.section, rule.name)});
+            if (path == pennation && !options.mesh.empty())
+              path = "system/fibres/angle";
+            settings.push_back({path, peer.text(rule.section, rule.name)});
           }
       if (options.mesh.empty())
         add_geometry(settings, peer, out);

@@ -115,8 +115,8 @@ namespace myolines
 
       void add_mesh()
       {
-        CLI::App *command = add(app, "mesh", "Writes the mesh of a scene to a file",
-                                [this] { mesh_command(run.scene, run.overrides, mesh_, out_); });
+        CLI::App *command =
+            add(app, "mesh", "Writes the mesh of a scene to a file", [this] { mesh_command(run.scene, run.overrides, mesh_, out_); });
         command->add_option("scene", run.scene, "A scene of a three-dimensional muscle")->required()->type_name("SCENE.xml");
         command->add_option("--out", mesh_, "The file: VTK (.vtu) or Gmsh (.msh)")->required()->type_name("FILE");
         add_overrides(command);
@@ -254,7 +254,8 @@ namespace myolines
         command->add_option("--markers", flexodeal_.markers, "Its list of markers")->type_name("FILE");
         command->add_option("--qp-table", flexodeal_.points, "Its CSV file of properties at quadrature points")->type_name("FILE");
         CLI::Option *mesh =
-            command->add_option("--mesh", flexodeal_.mesh, "A mesh (Gmsh, VTK, Abaqus) instead of the body of the parameters")->type_name("FILE");
+            command->add_option("--mesh", flexodeal_.mesh, "A mesh (Gmsh, VTK, Abaqus) instead of the body of the parameters")
+                ->type_name("FILE");
         CLI::Option *ends = command->add_option("--ends", flexodeal_.ends, "Names of its physical surfaces that are the faces x- and x+");
         ends->expected(2)->type_name("SURFACE SURFACE")->needs(mesh);
         mesh->needs(ends);

@@ -48,7 +48,7 @@ namespace myolines
                                                        {13, Shape::pyramid},    {6, Shape::wedge},        {15, Shape::wedge},
                                                        {8, Shape::hexahedron},  {20, Shape::hexahedron},  {27, Shape::hexahedron}};
       static const std::map<std::size_t, Shape> surfaces{
-        {3, Shape::triangle}, {6, Shape::triangle}, {4, Shape::quadrilateral}, {8, Shape::quadrilateral}, {9, Shape::quadrilateral}};
+          {3, Shape::triangle}, {6, Shape::triangle}, {4, Shape::quadrilateral}, {8, Shape::quadrilateral}, {9, Shape::quadrilateral}};
       const auto number_behind = [&](const std::size_t at) {
         std::size_t n = 0;
         for (std::size_t i = at; i < type.size() && type[i] >= '0' && type[i] <= '9' && n < 100; ++i)
@@ -65,7 +65,8 @@ namespace myolines
       for (const char *const line : {"T3D2", "B31", "T3D3", "B32"})
         if (type.rfind(line, 0) == 0)
           return {line[1] == '3' && line[2] == '2' ? 3u : line[3] == '3' ? 3u : 2u, {}};
-      cursor.refuse("elements of type \"" + type + "\" are not known", "C3D8, C3D4, C3D6, C3D5, their kin of second order, and S3, S4, CPS3, CPS4");
+      cursor.refuse("elements of type \"" + type + "\" are not known",
+                    "C3D8, C3D4, C3D6, C3D5, their kin of second order, and S3, S4, CPS3, CPS4");
     }
 
     class AbaqusReader
@@ -117,10 +118,11 @@ namespace myolines
           {
             const std::size_t equals = word.find('=');
             options_[upper(std::string(without_blanks(word.substr(0, equals))))] =
-              equals == std::string_view::npos ? "" : std::string(without_blanks(word.substr(equals + 1)));
+                equals == std::string_view::npos ? "" : std::string(without_blanks(word.substr(equals + 1)));
           }
         if (keyword_ == "*INCLUDE" || keyword_ == "*SYSTEM" || keyword_ == "*NGEN" || keyword_ == "*ELGEN" || keyword_ == "*NCOPY")
-          cursor_.refuse("the keyword " + keyword_ + " is not read", "a file that has all nodes and elements itself", "write the mesh out as one input file");
+          cursor_.refuse("the keyword " + keyword_ + " is not read", "a file that has all nodes and elements itself",
+                         "write the mesh out as one input file");
         if (keyword_ == "*INSTANCE" && ++n_instances_ > 1)
           cursor_.refuse("there are several instances of parts", "one", "merge the parts");
         if (keyword_ == "*ELEMENT")
@@ -207,7 +209,8 @@ namespace myolines
       {
         if (options_.count("GENERATE") > 0)
           {
-            const auto first = integer(words[0], "the first of a set"), last = integer(words.size() > 1 ? words[1] : words[0], "the last of a set");
+            const auto first = integer(words[0], "the first of a set"),
+                       last  = integer(words.size() > 1 ? words[1] : words[0], "the last of a set");
             const auto step  = words.size() > 2 ? integer(words[2], "the increment of a set") : 1;
             if (step < 1 || last < first || (last - first) / step > static_cast<std::int64_t>(cursor_.bytes().size()))
               cursor_.refuse("a set goes from " + std::to_string(first) + " to " + std::to_string(last) + " by " + std::to_string(step),
@@ -219,8 +222,8 @@ namespace myolines
         for (const std::string_view word : words)
           if (!word.empty())
             {
-              auto       &sets  = keyword_ == "*NSET" ? node_sets_ : element_sets_;
-              const auto  other = sets.find(std::string(word));
+              auto      &sets  = keyword_ == "*NSET" ? node_sets_ : element_sets_;
+              const auto other = sets.find(std::string(word));
               if (other != sets.end() && &other->second != &set)
                 set.insert(set.end(), other->second.begin(), other->second.end());
               else
@@ -309,7 +312,8 @@ namespace myolines
                 places.insert(*place);
             std::vector<PlainMesh::Element> found;
             for (PlainMesh::Element face : outer)
-              if (std::all_of(face.corner.begin(), face.corner.begin() + n_corners(face.shape), [&](const unsigned int v) { return places.count(v) > 0; }))
+              if (std::all_of(face.corner.begin(), face.corner.begin() + n_corners(face.shape),
+                              [&](const unsigned int v) { return places.count(v) > 0; }))
                 {
                   face.group = number + 1;
                   found.push_back(face);
@@ -321,17 +325,17 @@ namespace myolines
           }
       }
 
-      Cursor                                                                      &cursor_;
-      PlainMesh                                                                    mesh_;
-      MeshBuilder                                                                  builder_;
-      std::string                                                                  keyword_;
-      std::map<std::string, std::string>                                           options_; ///< of the keyword
-      AbaqusKind                                                                   kind_{};
-      std::vector<std::int64_t>                                                    element_; ///< number and nodes, as far as they are read
-      std::map<std::int64_t, Element>                                              elements_;
-      std::map<std::string, std::vector<std::int64_t>>                             element_sets_, node_sets_;
-      std::vector<std::pair<std::string, std::pair<std::string, std::string>>>     surfaces_; ///< name; set or element, and side
-      unsigned int                                                                 n_instances_ = 0;
+      Cursor                                                                  &cursor_;
+      PlainMesh                                                                mesh_;
+      MeshBuilder                                                              builder_;
+      std::string                                                              keyword_;
+      std::map<std::string, std::string>                                       options_; ///< of the keyword
+      AbaqusKind                                                               kind_{};
+      std::vector<std::int64_t>                                                element_; ///< number and nodes, as far as they are read
+      std::map<std::int64_t, Element>                                          elements_;
+      std::map<std::string, std::vector<std::int64_t>>                         element_sets_, node_sets_;
+      std::vector<std::pair<std::string, std::pair<std::string, std::string>>> surfaces_; ///< name; set or element, and side
+      unsigned int                                                             n_instances_ = 0;
     };
   } // namespace
 

@@ -94,18 +94,20 @@ namespace myolines
   std::size_t Cursor::count(const std::int64_t announced, const std::size_t bytes, const std::string &things) const
   {
     if (announced < 0 || static_cast<std::uint64_t>(announced) > left() / bytes)
-      refuse(std::to_string(announced) + " " + things + " are announced, which the " + std::to_string(left()) +
-               " bytes behind cannot hold",
+      refuse(std::to_string(announced) + " " + things + " are announced, which the " + std::to_string(left()) + " bytes behind cannot hold",
              "the whole file", "it was cut off, or is damaged");
     return static_cast<std::size_t>(announced);
   }
 
   void Cursor::refuse(const std::string &what, const std::string &expected, const std::string &hint) const
   {
-    const std::string where = binary ? "byte " + std::to_string(at_)
-                                     : "line " + std::to_string(1 + std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(
-                                                                                   at_ > 0 && bytes_[at_ - 1] == '\n' ? at_ - 1 : at_),
-                                                                               '\n'));
+    const std::string where =
+        binary
+            ? "byte " + std::to_string(at_)
+            : "line " + std::to_string(
+                            1 + std::count(bytes_.begin(),
+                                           bytes_.begin() + static_cast<std::ptrdiff_t>(at_ > 0 && bytes_[at_ - 1] == '\n' ? at_ - 1 : at_),
+                                           '\n'));
     throw InputError(InputProblem{file_.string() + ", " + where, what, expected, hint});
   }
 } // namespace myolines

@@ -35,7 +35,9 @@ namespace myolines
               }
           }
         if (!nodes_ || !elements_)
-          cursor_.refuse(std::string("there is no section $") + (version_ == 1 ? (nodes_ ? "ELM" : "NOD") : nodes_ ? "Elements" : "Nodes"),
+          cursor_.refuse(std::string("there is no section $") + (version_ == 1 ? (nodes_ ? "ELM" : "NOD")
+                                                                 : nodes_      ? "Elements"
+                                                                               : "Nodes"),
                          "nodes and elements");
         return std::move(mesh_);
       }
@@ -140,9 +142,9 @@ namespace myolines
       /// Of versions 1 and 2: number and place of each.
       void read_nodes()
       {
-        const bool        binary = cursor_.binary;
-        cursor_.binary           = false; // their number is text in any case
-        const auto announced     = cursor_.integer("the number of nodes");
+        const bool binary    = cursor_.binary;
+        cursor_.binary       = false; // their number is text in any case
+        const auto announced = cursor_.integer("the number of nodes");
         if (binary)
           cursor_.line();
         cursor_.binary      = binary;
@@ -160,9 +162,9 @@ namespace myolines
 
       void read_elements()
       {
-        const bool        binary = cursor_.binary;
-        cursor_.binary           = false;
-        const auto announced     = cursor_.integer("the number of elements");
+        const bool binary    = cursor_.binary;
+        cursor_.binary       = false;
+        const auto announced = cursor_.integer("the number of elements");
         if (binary)
           cursor_.line();
         cursor_.binary      = binary;
@@ -177,7 +179,7 @@ namespace myolines
         const GmshKind kind = gmsh_kind(cursor_.integer("the type of an element"), cursor_);
         if (version_ == 1)
           {
-            const int  group = static_cast<int>(cursor_.integer("the physical number of an element"));
+            const int group = static_cast<int>(cursor_.integer("the physical number of an element"));
             cursor_.integer("the elementary number of an element");
             if (const auto nodes = cursor_.integer("a number of nodes"); nodes != static_cast<std::int64_t>(kind.n_nodes))
               cursor_.refuse("an element has " + std::to_string(nodes) + " nodes", std::to_string(kind.n_nodes) + " for its type");
@@ -191,7 +193,7 @@ namespace myolines
       /// Elements of one type and number of tags.
       std::size_t read_block(const std::size_t most)
       {
-        const GmshKind    kind = gmsh_kind(cursor_.integer("the type of elements"), cursor_);
+        const GmshKind    kind      = gmsh_kind(cursor_.integer("the type of elements"), cursor_);
         const auto        announced = cursor_.integer("a number of elements"), tags = cursor_.integer("the number of tags");
         const std::size_t n = cursor_.count(announced, 4 * kind.n_nodes, "elements of one type");
         if (n == 0 || n > most)

@@ -19,8 +19,8 @@ namespace myolines
     /// A number of integers, and those.
     std::vector<int> integers(Cursor &cursor, const std::string &things, const bool short_count = false)
     {
-      const auto        announced = short_count ? cursor.integer("the number of " + things) : cursor.large_integer("the number of " + things);
-      std::vector<int>  all(cursor.count(announced, cursor.binary ? 4 : 2, things));
+      const auto announced = short_count ? cursor.integer("the number of " + things) : cursor.large_integer("the number of " + things);
+      std::vector<int> all(cursor.count(announced, cursor.binary ? 4 : 2, things));
       for (int &one : all)
         one = static_cast<int>(cursor.integer("one of the " + things));
       return all;
@@ -42,7 +42,7 @@ namespace myolines
     /// The head of a block of nodes or elements: 4.0 has the entity before its dimension.
     Block read_block(Cursor &cursor, const double version, const std::size_t bytes, const std::string &things)
     {
-      Block block;
+      Block      block;
       const auto first = cursor.integer("the dimension of an entity"), second = cursor.integer("the number of an entity");
       block.dimension = static_cast<int>(version > version_41 ? first : second);
       block.entity    = version > version_41 ? second : first;
@@ -70,7 +70,8 @@ namespace myolines
     if (partitioned)
       {
         cursor.large_integer("the number of partitions");
-        const std::size_t ghosts = cursor.count(cursor.large_integer("the number of ghost entities"), cursor.binary ? 8 : 4, "ghost entities");
+        const std::size_t ghosts =
+            cursor.count(cursor.large_integer("the number of ghost entities"), cursor.binary ? 8 : 4, "ghost entities");
         for (std::size_t i = 0; i < 2 * ghosts; ++i)
           cursor.integer("a ghost entity");
       }

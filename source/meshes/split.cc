@@ -22,7 +22,8 @@ namespace myolines
       const auto           lowest = std::min_element(face.corner.begin(), face.corner.begin() + n) - face.corner.begin();
       std::vector<Element> triangles;
       for (unsigned int i = 1; i + 1 < n; ++i)
-        triangles.push_back({Shape::triangle, face.group, {{face.corner[lowest], face.corner[(lowest + i) % n], face.corner[(lowest + i + 1) % n]}}});
+        triangles.push_back(
+            {Shape::triangle, face.group, {{face.corner[lowest], face.corner[(lowest + i) % n], face.corner[(lowest + i + 1) % n]}}});
       return triangles;
     }
 
@@ -36,7 +37,8 @@ namespace myolines
         {
           if (const auto more = mesh.further_groups.find(part.cell); more != mesh.further_groups.end())
             split.further_groups[split.cells.size()] = more->second;
-          split.cells.push_back({Shape::tetrahedron, mesh.cells[part.cell].group, {{part.corner[0], part.corner[1], part.corner[2], part.corner[3]}}});
+          split.cells.push_back(
+              {Shape::tetrahedron, mesh.cells[part.cell].group, {{part.corner[0], part.corner[1], part.corner[2], part.corner[3]}}});
         }
       for (const Element &face : mesh.faces)
         for (const Element &triangle : triangles_of(face))
@@ -105,7 +107,8 @@ namespace myolines
     {
       std::vector<unsigned int> corners;
       for (const auto &face : faces_of(cell.shape))
-        if (const auto on = [&](const unsigned int v) { return std::find(face.begin(), face.end(), v) != face.end(); }; on(a) && on(b) && on(c))
+        if (const auto on = [&](const unsigned int v) { return std::find(face.begin(), face.end(), v) != face.end(); };
+            on(a) && on(b) && on(c))
           for (const unsigned int v : face)
             corners.push_back(cell.corner[v]);
       return corners;
@@ -119,8 +122,11 @@ namespace myolines
         {
           const auto &[a, b, c] = neighbours[v];
           const auto edge       = [&](const unsigned int other) { return middles.of({cell.corner[v], cell.corner[other]}); };
-          const auto face = [&](const unsigned int one, const unsigned int two) { return middles.of(corners_of_face_with(cell, v, one, two)); };
-          cells.push_back({Shape::hexahedron, cell.group, {{cell.corner[v], edge(a), face(a, b), edge(b), edge(c), face(a, c), centre, face(b, c)}}});
+          const auto face       = [&](const unsigned int one, const unsigned int two) {
+            return middles.of(corners_of_face_with(cell, v, one, two));
+          };
+          cells.push_back(
+              {Shape::hexahedron, cell.group, {{cell.corner[v], edge(a), face(a, b), edge(b), edge(c), face(a, c), centre, face(b, c)}}});
         }
     }
 
@@ -129,7 +135,8 @@ namespace myolines
       const unsigned int              n = n_corners(face.shape);
       const std::vector<unsigned int> corners(face.corner.begin(), face.corner.begin() + n);
       for (unsigned int i = 0; i < n; ++i)
-        faces.push_back({Shape::quadrilateral, face.group,
+        faces.push_back({Shape::quadrilateral,
+                         face.group,
                          {{corners[i], middles.of({corners[i], corners[(i + 1) % n]}), middles.of(corners),
                            middles.of({corners[(i + n - 1) % n], corners[i]})}}});
     }

@@ -62,10 +62,10 @@ namespace myolines
         return hash;
       }
 
-      const std::vector<Position>                                 &points_;
-      Position                                                     origin_;
-      double                                                       tolerance_;
-      std::unordered_map<std::size_t, std::vector<unsigned int>>   at_;
+      const std::vector<Position>                               &points_;
+      Position                                                   origin_;
+      double                                                     tolerance_;
+      std::unordered_map<std::size_t, std::vector<unsigned int>> at_;
     };
 
     std::vector<bool> points_of_cells(const PlainMesh &mesh)
@@ -102,9 +102,10 @@ namespace myolines
         for (Element &element : *elements)
           for (unsigned int i = 0; i < n_corners(element.shape); ++i)
             element.corner[i] = fresh[element.corner[i]];
-      mesh.points = std::move(kept);
-      const auto  has_none = [](const Element &face) {
-        return std::find(face.corner.begin(), face.corner.begin() + n_corners(face.shape), no_corner) != face.corner.begin() + n_corners(face.shape);
+      mesh.points         = std::move(kept);
+      const auto has_none = [](const Element &face) {
+        return std::find(face.corner.begin(), face.corner.begin() + n_corners(face.shape), no_corner) !=
+               face.corner.begin() + n_corners(face.shape);
       };
       mesh.faces.erase(std::remove_if(mesh.faces.begin(), mesh.faces.end(), has_none), mesh.faces.end());
     }

@@ -20,7 +20,14 @@ namespace myolines
     VtkKind vtk_kind(const int type, const Cursor &cursor)
     {
       static const std::map<int, VtkKind> kinds{
-          {1, {}},  {2, {}},  {3, {}},  {4, {}},  {21, {}}, {35, {}}, {68, {}}, {75, {}},
+          {1, {}},
+          {2, {}},
+          {3, {}},
+          {4, {}},
+          {21, {}},
+          {35, {}},
+          {68, {}},
+          {75, {}},
           {5, {Shape::triangle}},
           {8, {Shape::quadrilateral, true, true}},
           {9, {Shape::quadrilateral}},
@@ -51,13 +58,14 @@ namespace myolines
       };
       const auto found = kinds.find(type);
       if (found == kinds.end())
-        cursor.refuse("cells of type " + std::to_string(type) + " of VTK are not known", "hexahedra, tetrahedra, wedges, pyramids and their faces");
+        cursor.refuse("cells of type " + std::to_string(type) + " of VTK are not known",
+                      "hexahedra, tetrahedra, wedges, pyramids and their faces");
       return found->second;
     }
 
     /// Names that programs give to the numbers of the parts of a mesh, in small letters.
-    const std::vector<std::string> group_names{"group", "tissue", "tissue_id", "gmsh:physical", "material", "material_id", "materialid",
-                                               "materialids", "medit:ref", "cell_tags", "cellentityids", "boundary_id"};
+    const std::vector<std::string> group_names{"group",      "tissue",      "tissue_id", "gmsh:physical", "material",      "material_id",
+                                               "materialid", "materialids", "medit:ref", "cell_tags",     "cellentityids", "boundary_id"};
 
     /// An integer in [low, high]. @throws with @p what otherwise.
     std::size_t index(const double value, const std::size_t low, const std::size_t high, const std::string &what, const Cursor &cursor)
@@ -85,24 +93,27 @@ namespace myolines
   void VtkGrid::add_cells(const std::vector<double> &connectivity, const std::vector<double> &ends, const std::vector<double> &types)
   {
     if (types.size() != ends.size())
-      cursor_.refuse("there are " + std::to_string(types.size()) + " types of cells, but " + std::to_string(ends.size()) + " ends of their points",
+      cursor_.refuse("there are " + std::to_string(types.size()) + " types of cells, but " + std::to_string(ends.size()) +
+                         " ends of their points",
                      "as many");
     first_cell_       = n_cells_;
     std::size_t begin = 0;
     for (std::size_t i = 0; i < types.size(); ++i)
       {
-        const std::size_t end  = index(ends[i], begin, connectivity.size(), "the end of the points of cell " + std::to_string(i), cursor_);
-        const VtkKind     kind = vtk_kind(static_cast<int>(index(types[i], 0, 1000, "the type of cell " + std::to_string(i), cursor_)), cursor_);
+        const std::size_t end = index(ends[i], begin, connectivity.size(), "the end of the points of cell " + std::to_string(i), cursor_);
+        const VtkKind     kind =
+            vtk_kind(static_cast<int>(index(types[i], 0, 1000, "the type of cell " + std::to_string(i), cursor_)), cursor_);
         if (kind.shape)
           {
             const std::size_t n = n_corners(*kind.shape);
             if (end - begin < n)
-              cursor_.refuse("cell " + std::to_string(i) + " has " + std::to_string(end - begin) + " points", "at least " + std::to_string(n));
+              cursor_.refuse("cell " + std::to_string(i) + " has " + std::to_string(end - begin) + " points",
+                             "at least " + std::to_string(n));
             std::vector<std::int64_t> corners(n);
             for (std::size_t v = 0; v < n; ++v)
-              corners[v] = static_cast<std::int64_t>(
-                first_point_ + index(connectivity[begin + v], 0, n_points_ - first_point_ - (n_points_ > first_point_ ? 1 : 0),
-                                     "a point of cell " + std::to_string(i), cursor_));
+              corners[v] = static_cast<std::int64_t>(first_point_ + index(connectivity[begin + v], 0,
+                                                                          n_points_ - first_point_ - (n_points_ > first_point_ ? 1 : 0),
+                                                                          "a point of cell " + std::to_string(i), cursor_));
             if (kind.row_by_row)
               for (std::size_t v = 2; v < n; v += 4)
                 std::swap(corners[v], corners[v + 1]);
@@ -156,8 +167,8 @@ namespace myolines
   {
     const auto set = [&](std::vector<PlainMesh::Element> &elements, const std::vector<std::size_t> &rows) {
       for (std::size_t i = 0; i < elements.size(); ++i)
-        elements[i].group = static_cast<int>(
-          index(field.values[rows[i]], 0, std::numeric_limits<int>::max(), "\"" + field.name + "\" of cell " + std::to_string(rows[i]), cursor_));
+        elements[i].group = static_cast<int>(index(field.values[rows[i]], 0, std::numeric_limits<int>::max(),
+                                                   "\"" + field.name + "\" of cell " + std::to_string(rows[i]), cursor_));
     };
     set(mesh_.cells, row_of_cell_);
     set(mesh_.faces, row_of_face_);

@@ -36,8 +36,8 @@ namespace myolines
     const Cursor                 &cursor_;
     PlainMesh                    &mesh_;
     MeshBuilder                   builder_;
-    std::vector<PlainMesh::Field> cell_fields_;              ///< of all cells of the file
-    std::vector<std::size_t>      row_of_cell_, row_of_face_; ///< in those fields
+    std::vector<PlainMesh::Field> cell_fields_;                                                   ///< of all cells of the file
+    std::vector<std::size_t>      row_of_cell_, row_of_face_;                                     ///< in those fields
     std::size_t                   first_point_ = 0, first_cell_ = 0, n_points_ = 0, n_cells_ = 0; ///< of the piece; of all
   };
 } // namespace myolines

@@ -10,8 +10,9 @@ namespace myolines
     std::size_t size_of_type(const std::string_view type)
     {
       static const std::map<std::string_view, std::size_t> sizes{
-          {"char", 1},  {"unsigned_char", 1},   {"short", 2}, {"unsigned_short", 2}, {"int", 4},          {"unsigned_int", 4},
-          {"float", 4}, {"vtktypeint64", 8}, {"long", 8},  {"unsigned_long", 8},  {"vtktypeuint64", 8}, {"vtkIdType", 4}, {"double", 8}};
+          {"char", 1},          {"unsigned_char", 1}, {"short", 2},        {"unsigned_short", 2}, {"int", 4},
+          {"unsigned_int", 4},  {"float", 4},         {"vtktypeint64", 8}, {"long", 8},           {"unsigned_long", 8},
+          {"vtktypeuint64", 8}, {"vtkIdType", 4},     {"double", 8}};
       const auto found = sizes.find(type);
       return found == sizes.end() ? 0 : found->second;
     }
@@ -32,7 +33,7 @@ namespace myolines
         binary_                         = encoding.substr(0, 6) == "BINARY";
         if (!binary_ && encoding.substr(0, 5) != "ASCII")
           cursor_.refuse("the third line is neither ASCII nor BINARY", "ASCII or BINARY");
-        mesh_.format = "VTK" + (first.size() > 22 ? first.substr(22) : "") + (binary_ ? ", binary" : ", ASCII");
+        mesh_.format    = "VTK" + (first.size() > 22 ? first.substr(22) : "") + (binary_ ? ", binary" : ", ASCII");
         cursor_.swapped = true; // most significant byte first
         for (std::string_view word = cursor_.word(); !word.empty(); word = cursor_.word())
           section(word);
@@ -73,7 +74,7 @@ namespace myolines
           read_arrays();
         else if (word == "METADATA")
           {
-            cursor_.line(); // the rest of its own
+            cursor_.line();                                       // the rest of its own
             while (cursor_.left() > 0 && !cursor_.line().empty()) // up to the next empty one
               continue;
           }
@@ -115,8 +116,8 @@ namespace myolines
         const std::size_t n = cursor_.count(cursor_.integer("the number of arrays"), 8, "arrays");
         for (std::size_t i = 0; i < n; ++i)
           {
-            const std::string name(cursor_.word());
-            const auto        components = cursor_.integer("a number of components"), rows = cursor_.integer("a number of rows");
+            const std::string         name(cursor_.word());
+            const auto                components = cursor_.integer("a number of components"), rows = cursor_.integer("a number of rows");
             const std::vector<double> values = numbers(rows, components, std::string(cursor_.word()), "numbers of \"" + name + "\"");
             if (of_any_)
               grid_.add_field(of_cells_, name, static_cast<std::size_t>(components), values);
@@ -136,10 +137,12 @@ namespace myolines
             cursor_.word();
             cursor_.word();
           }
-        grid_.add_field(of_cells_, name, static_cast<std::size_t>(components), numbers(rows_, components, type, "numbers of \"" + name + "\""));
+        grid_.add_field(of_cells_, name, static_cast<std::size_t>(components),
+                        numbers(rows_, components, type, "numbers of \"" + name + "\""));
       }
 
-      std::vector<double> numbers(const std::int64_t rows, const std::int64_t components, const std::string &type, const std::string &things)
+      std::vector<double> numbers(const std::int64_t rows, const std::int64_t components, const std::string &type,
+                                  const std::string &things)
       {
         const std::size_t bytes = size_of_type(type);
         if (bytes == 0)

@@ -31,7 +31,8 @@ namespace myolines
       {
         if (tag.name == "VTKFile")
           read_head(tag);
-        else if (tag.name == "FieldData" || tag.name == "PointData" || tag.name == "CellData" || tag.name == "Points" || tag.name == "Cells")
+        else if (tag.name == "FieldData" || tag.name == "PointData" || tag.name == "CellData" || tag.name == "Points" ||
+                 tag.name == "Cells")
           place_ = tag.closed ? "" : tag.name;
         else if (tag.name == "DataArray" || tag.name == "Array")
           read_array(tag);
@@ -122,16 +123,16 @@ namespace myolines
         fields_.clear();
       }
 
-      Cursor                                         &cursor_;
-      PlainMesh                                       mesh_;
-      VtkGrid                                         grid_;
-      VtuEncoding                                     encoding_;
-      std::string                                     place_; ///< the list of arrays that the cursor is in
-      std::vector<double>                             points_;
-      std::map<std::string, std::vector<double>>      cells_;
-      std::vector<std::pair<bool, PlainMesh::Field>>  fields_; ///< whether of cells
-      unsigned int                                    n_pieces_ = 0;
-      bool                                            ended_    = false;
+      Cursor                                        &cursor_;
+      PlainMesh                                      mesh_;
+      VtkGrid                                        grid_;
+      VtuEncoding                                    encoding_;
+      std::string                                    place_; ///< the list of arrays that the cursor is in
+      std::vector<double>                            points_;
+      std::map<std::string, std::vector<double>>     cells_;
+      std::vector<std::pair<bool, PlainMesh::Field>> fields_; ///< whether of cells
+      unsigned int                                   n_pieces_ = 0;
+      bool                                           ended_    = false;
     };
   } // namespace
 

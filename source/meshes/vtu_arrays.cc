@@ -38,7 +38,10 @@ namespace myolines
       }
 
     private:
-      [[noreturn]] void refuse_end(const std::string &what) const { cursor_.refuse("the data of an array end within " + what, "the whole array"); }
+      [[noreturn]] void refuse_end(const std::string &what) const
+      {
+        cursor_.refuse("the data of an array end within " + what, "the whole array");
+      }
 
       static int value_of(const char c)
       {
@@ -149,11 +152,12 @@ namespace myolines
     {
       constexpr std::uint64_t best = 1100; // nothing is compressed better
       if (size > best * (compressed.size() + 1))
-        cursor.refuse("a block of " + std::to_string(compressed.size()) + " bytes is said to hold " + std::to_string(size), "what zlib may compress");
+        cursor.refuse("a block of " + std::to_string(compressed.size()) + " bytes is said to hold " + std::to_string(size),
+                      "what zlib may compress");
       std::string bytes(size, '\0');
       uLongf      length = size;
-      if (uncompress(reinterpret_cast<Bytef *>(bytes.data()), &length, reinterpret_cast<const Bytef *>(compressed.data()), compressed.size()) !=
-            Z_OK ||
+      if (uncompress(reinterpret_cast<Bytef *>(bytes.data()), &length, reinterpret_cast<const Bytef *>(compressed.data()),
+                     compressed.size()) != Z_OK ||
           length != size)
         cursor.refuse("a compressed block cannot be decompressed", "data compressed by zlib", "the file is damaged");
       return bytes;
@@ -181,8 +185,8 @@ namespace myolines
       std::vector<double> values;
       for (std::size_t at = text.find_first_not_of(" \t\r\n"); at != std::string_view::npos;)
         {
-          const std::size_t      end  = std::min(text.find_first_of(" \t\r\n", at), text.size());
-          const std::string_view word = text.substr(at, end - at);
+          const std::size_t      end   = std::min(text.find_first_of(" \t\r\n", at), text.size());
+          const std::string_view word  = text.substr(at, end - at);
           const double           value = number_of(word);
           if (value != value && word != "nan" && word != "-nan" && word != "NaN")
             cursor.refuse("\"" + std::string(word.substr(0, 40)) + "\" in an array is no number", "numbers");
@@ -265,7 +269,7 @@ namespace myolines
       }
     if (format != "binary")
       cursor.refuse("the format \"" + format + "\" of an array is not known", "ascii, binary or appended");
-    ByteSource source(text, true, cursor);
+    ByteSource          source(text, true, cursor);
     std::vector<double> values;
     if (text.find_first_not_of(" \t\r\n") != std::string_view::npos) // an empty array may have no head
       values = numbers_of(type, decoded(source, encoding, cursor), encoding.swapped, cursor);

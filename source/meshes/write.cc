@@ -77,11 +77,13 @@ namespace myolines
     {
       const std::size_t  n_all = mesh.cells.size() + mesh.faces.size();
       std::ostringstream out;
-      out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+      out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+             "header_type=\"UInt64\">\n"
              "<UnstructuredGrid>\n";
       if (const std::vector<std::string> names = names_of_groups(mesh); !names.empty())
         {
-          out << "<FieldData>\n<Array type=\"String\" Name=\"names of groups\" NumberOfTuples=\"" << names.size() << "\" format=\"ascii\">\n";
+          out << "<FieldData>\n<Array type=\"String\" Name=\"names of groups\" NumberOfTuples=\"" << names.size()
+              << "\" format=\"ascii\">\n";
           for (const std::string &name : names)
             {
               for (const char letter : name)
@@ -120,7 +122,8 @@ namespace myolines
       out << "$EndPhysicalNames\n$Nodes\n" << mesh.points.size() << "\n";
       std::size_t number = 0;
       for (const PlainMesh::Position &x : mesh.points)
-        out << ++number << " " << scene::format_number(x[0]) << " " << scene::format_number(x[1]) << " " << scene::format_number(x[2]) << "\n";
+        out << ++number << " " << scene::format_number(x[0]) << " " << scene::format_number(x[1]) << " " << scene::format_number(x[2])
+            << "\n";
       out << "$EndNodes\n$Elements\n" << mesh.cells.size() + mesh.faces.size() << "\n";
       number = 0;
       for_each(mesh, [&](const Element &element) {

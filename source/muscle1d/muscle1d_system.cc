@@ -2,7 +2,6 @@
 
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/system/band_linearisation.h>
-#include <myolines/system/instants.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

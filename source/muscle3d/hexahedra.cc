@@ -4,23 +4,21 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace myolines
 {
-  double corner_quality(const std::vector<dealii::Point<3>> &x, const unsigned int *v)
+  double scaled_jacobian(const std::vector<dealii::Point<3>> &x, const unsigned int *v)
   {
-    double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+    double smallest = 1;
     for (unsigned int i = 0; i < 8; ++i)
       {
         dealii::Tensor<1, 3> edge[3];
         for (unsigned int d = 0; d < 3; ++d)
           edge[d] = x[v[i | (1u << d)]] - x[v[i & ~(1u << d)]];
-        const double J = edge[0] * dealii::cross_product_3d(edge[1], edge[2]);
-        low            = std::min(low, J);
-        high           = std::max(high, J);
+        const double lengths = edge[0].norm() * edge[1].norm() * edge[2].norm();
+        smallest             = std::min(smallest, lengths > 0 ? edge[0] * dealii::cross_product_3d(edge[1], edge[2]) / lengths : 0.);
       }
-    return high > 0 ? low / high : -1;
+    return smallest;
   }
 
   double cell_volume(const std::vector<dealii::Point<3>> &x, const unsigned int *v)

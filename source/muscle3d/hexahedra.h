@@ -9,8 +9,9 @@ namespace myolines
   // Hexahedra of eight vertices as lists, before they are a mesh: x are places of vertices [m], v the vertices of one of them, row by
   // row.
 
-  /// Smallest determinant of the map at the corners over the largest; -1 if none is positive.
-  double corner_quality(const std::vector<dealii::Point<3>> &x, const unsigned int *v);
+  /// Scaled Jacobian: the smallest determinant at a corner over the lengths of its three edges; 1 for a brick, not positive for cells
+  /// that are inverted or degenerate.
+  double scaled_jacobian(const std::vector<dealii::Point<3>> &x, const unsigned int *v);
 
   /// Volume of the trilinear image of the unit cube [m^3].
   double cell_volume(const std::vector<dealii::Point<3>> &x, const unsigned int *v);

@@ -33,7 +33,8 @@ namespace myolines
     {
       std::vector<std::string> words;
       for (const Shape shape : {Shape::hexahedron, Shape::tetrahedron, Shape::wedge, Shape::pyramid})
-        if (const auto n = std::count_if(mesh.cells.begin(), mesh.cells.end(), [shape](const auto &cell) { return cell.shape == shape; }); n > 0)
+        if (const auto n = std::count_if(mesh.cells.begin(), mesh.cells.end(), [shape](const auto &cell) { return cell.shape == shape; });
+            n > 0)
           words.push_back(std::to_string(n) + " " + plural(shape));
       return join(words);
     }
@@ -51,8 +52,8 @@ namespace myolines
                "in Gmsh: Coherence Mesh");
       if (const auto parts = parts_of(mesh); parts.size() > 1)
         refuse("the mesh falls into " + std::to_string(parts.size()) + " parts that do not touch: one has a point at " +
-                 place_text(point_of(mesh.points[mesh.cells[parts[0]].corner[0]])) + ", another one at " +
-                 place_text(point_of(mesh.points[mesh.cells[parts[1]].corner[0]])),
+                   place_text(point_of(mesh.points[mesh.cells[parts[0]].corner[0]])) + ", another one at " +
+                   place_text(point_of(mesh.points[mesh.cells[parts[1]].corner[0]])),
                "one connected body", "join the parts, or make a mesh of each");
     }
 
@@ -61,7 +62,8 @@ namespace myolines
     {
       PlainMesh mesh = mesh_in(file, refuse);
       if (mesh.cells.empty())
-        refuse("the mesh has no cells", "hexahedra, tetrahedra, wedges or pyramids", "in Gmsh: mesh in 3D and save all or the physical volumes");
+        refuse("the mesh has no cells", "hexahedra, tetrahedra, wedges or pyramids",
+               "in Gmsh: mesh in 3D and save all or the physical volumes");
       for (PlainMesh::Position &x : mesh.points)
         for (double &c : x)
           c *= scale;
@@ -88,9 +90,10 @@ namespace myolines
           cell.material_id = ids[i];
           for (unsigned int v = 0; v < 8; ++v)
             cell.vertices[v] = mesh.cells[i].corner[order[v]];
-          const double quality = corner_quality(body.vertices, cell.vertices.data());
+          const double quality = scaled_jacobian(body.vertices, cell.vertices.data());
           if (!(quality > 0))
-            refuse("a cell at " + place_text(body.vertices[cell.vertices[0]]) + " is inverted or degenerate", "cells with positive Jacobians at all corners");
+            refuse("a cell at " + place_text(body.vertices[cell.vertices[0]]) + " is inverted or degenerate",
+                   "cells with positive Jacobians at all corners");
           body.worst = std::min(body.worst, quality);
           body.volume += cell_volume(body.vertices, cell.vertices.data());
           body.cells.push_back(cell);
@@ -115,7 +118,7 @@ namespace myolines
     add_cells(split, *this, refuse);
     std::ostringstream facts;
     facts << "extent " << high[0] - low[0] << " x " << high[1] - low[1] << " x " << high[2] - low[2] << " m, volume " << volume
-          << " m^3; smallest corner Jacobian over the largest of its cell: " << worst;
+          << " m^3; smallest scaled Jacobian of a cell: " << worst;
     report.push_back(facts.str());
     add_faces(split, placed, *this, refuse);
   }

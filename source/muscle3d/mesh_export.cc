@@ -10,8 +10,8 @@ namespace myolines
   {
     void add_group(const CellId id, PlainMesh &exported)
     {
-      const std::string &tissue = tissue_kinds()[id.tissue - 1].name;
-      const int          group  = static_cast<int>(id.volume != 0 ? id.volume : id.tissue);
+      const std::string &tissue   = tissue_kinds()[id.tissue - 1].name;
+      const int          group    = static_cast<int>(id.volume != 0 ? id.volume : id.tissue);
       exported.cell_groups[group] = id.volume != 0 && id.volume != id.tissue ? tissue + " " + std::to_string(id.volume) : tissue;
     }
 
@@ -35,7 +35,7 @@ namespace myolines
     for (unsigned int v = 0; v < mesh.n_vertices(); ++v)
       exported.points[v] = {{mesh.get_vertices()[v][0], mesh.get_vertices()[v][1], mesh.get_vertices()[v][2]}};
     const std::vector<std::string> &names = face_names(geometry);
-    PlainMesh::Field                quality{"jacobian ratio", 1, {}};
+    PlainMesh::Field                quality{"scaled jacobian", 1, {}};
     for (const auto &cell : mesh.active_cell_iterators())
       {
         const CellId id = CellId::of(cell->material_id());
@@ -45,14 +45,14 @@ namespace myolines
         unsigned int vertices[8];
         for (unsigned int i = 0; i < 8; ++i)
           vertices[i] = cell->vertex_index(i);
-        quality.values.push_back(corner_quality(mesh.get_vertices(), vertices));
+        quality.values.push_back(scaled_jacobian(mesh.get_vertices(), vertices));
         for (const auto &face : cell->face_iterators())
           if (face->at_boundary() && face->boundary_id() < names.size() && names[face->boundary_id()] != MeshBody::rest)
             {
               const int group             = static_cast<int>(face->boundary_id()) + 1;
               exported.face_groups[group] = names[face->boundary_id()];
               exported.faces.push_back(
-                element_of(PlainMesh::Shape::quadrilateral, group, [&](const unsigned int i) { return face->vertex_index(i); }));
+                  element_of(PlainMesh::Shape::quadrilateral, group, [&](const unsigned int i) { return face->vertex_index(i); }));
             }
       }
     exported.cell_fields.push_back(quality);

@@ -14,7 +14,7 @@ namespace myolines
     bool is_in(const PlainMesh::Element &quad, const PlacedFace &face, const MeshBody &body)
     {
       const std::vector<dealii::Point<3>> &x = body.vertices;
-      dealii::Point<3> centre;
+      dealii::Point<3>                     centre;
       for (unsigned int i = 0; i < 4; ++i)
         centre += x[quad.corner[i]] / 4;
       for (unsigned int c = 0; c < 3; ++c)
@@ -89,7 +89,8 @@ namespace myolines
         if (body_.n_named == 0)
           body_.report.push_back("no surface of the mesh has a name or a number: name some there, or by place in system/geometry/faces");
         if (std::find(body_.face_names.begin(), body_.face_names.end(), MeshBody::rest) != body_.face_names.end())
-          refuse_("the mesh has a surface of the name \"" + std::string(MeshBody::rest) + "\", which stands for what has none", "another name");
+          refuse_("the mesh has a surface of the name \"" + std::string(MeshBody::rest) + "\", which stands for what has none",
+                  "another name");
         if (!members.empty())
           add(MeshBody::rest, members);
       }
@@ -132,7 +133,7 @@ namespace myolines
           {
             if (owner_[i] != none && owner_[i] != number)
               refuse_("a part of the boundary at " + place_text(body_.vertices[outside_[i].corner[0]]) + " is in two surfaces: \"" +
-                        body_.face_names[owner_[i]] + "\" and also \"" + name + "\"",
+                          body_.face_names[owner_[i]] + "\" and also \"" + name + "\"",
                       "one surface for each part of the boundary");
             owner_[i] = number;
           }
@@ -156,8 +157,8 @@ namespace myolines
       MeshBody                      &body_;
       const MeshRefusal             &refuse_;
       std::vector<PlainMesh::Element> outside_; ///< seen from outside
-      std::map<FaceKey, std::size_t> place_; ///< in outside_
-      std::vector<unsigned int>      owner_; ///< place in the names of faces
+      std::map<FaceKey, std::size_t>  place_;   ///< in outside_
+      std::vector<unsigned int>       owner_;   ///< place in the names of faces
     };
   } // namespace
 

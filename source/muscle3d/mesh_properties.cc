@@ -89,9 +89,9 @@ namespace myolines
       {
         for (std::size_t i = 0; i < field.values.size(); ++i)
           if (!quantity.range.contains(field.values[i]) || (field.name == "tissue_id" && field.values[i] != std::floor(field.values[i])))
-            throw InputError(InputProblem{file.string(), "row " + std::to_string(i) + " of the array \"" + field.name + "\" is " +
-                                                           std::to_string(field.values[i]),
-                                          "a number " + quantity.range.text(), ""});
+            throw InputError(InputProblem{
+                file.string(), "row " + std::to_string(i) + " of the array \"" + field.name + "\" is " + std::to_string(field.values[i]),
+                "a number " + quantity.range.text(), ""});
       }
 
       void refuse_nothing(const PlainMesh &mesh) const
@@ -104,7 +104,8 @@ namespace myolines
         for (const auto *fields : {&mesh.cell_fields, &mesh.point_fields})
           for (const Field &field : *fields)
             there.push_back(field.name + " (" + std::to_string(field.n_components) + ")");
-        throw InputError(InputProblem{file.string(), "no array of the mesh says anything of the muscle: it has " + (there.empty() ? "none" : join(there)),
+        throw InputError(InputProblem{file.string(),
+                                      "no array of the mesh says anything of the muscle: it has " + (there.empty() ? "none" : join(there)),
                                       "one of " + join(known), ""});
       }
 

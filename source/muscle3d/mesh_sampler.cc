@@ -41,8 +41,8 @@ namespace myolines
   MeshSampler::Place MeshSampler::at(const dealii::Point<3> &x) const
   {
     using Entry = std::pair<dealii::BoundingBox<3>, unsigned int>;
-    std::vector<Entry>         near;
-    const dealii::Point<3>     slack(1e-9 * size_, 1e-9 * size_, 1e-9 * size_);
+    std::vector<Entry>           near;
+    const dealii::Point<3>       slack(1e-9 * size_, 1e-9 * size_, 1e-9 * size_);
     const dealii::BoundingBox<3> around(std::make_pair(x - dealii::Tensor<1, 3>(slack), x + dealii::Tensor<1, 3>(slack)));
     tree_.query(boost::geometry::index::intersects(around), std::back_inserter(near));
     double       deepest = -1e-9;

@@ -18,16 +18,16 @@ namespace myolines
       std::size_t                 cell;     ///< that the place lies in, or the nearest one
       std::array<unsigned int, 4> points;   ///< of the mesh, around it
       std::array<double, 4>       weights;  ///< of theirs, a partition of one that reproduces linear functions within the mesh
-      double                      distance; ///< to the mesh; 0 within it
+      double                      distance; ///< to a near place of the mesh; 0 within it
     };
     Place at(const dealii::Point<3> &x) const;
 
   private:
     std::array<double, 4> barycentric(const Tetrahedron &part, const dealii::Point<3> &x) const;
 
-    std::vector<dealii::Point<3>>                                                points_;
-    std::vector<Tetrahedron>                                                     parts_;
-    double                                                                       size_ = 0; ///< of the box around it
-    dealii::RTree<std::pair<dealii::BoundingBox<3>, unsigned int>>               tree_;
+    std::vector<dealii::Point<3>>                                  points_;
+    std::vector<Tetrahedron>                                       parts_;
+    double                                                         size_ = 0; ///< of the box around it
+    dealii::RTree<std::pair<dealii::BoundingBox<3>, unsigned int>> tree_;
   };
 } // namespace myolines

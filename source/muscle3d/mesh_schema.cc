@@ -58,7 +58,7 @@ namespace myolines
       for (unsigned int c = 0; c < 3; ++c)
         {
           const std::string from = axes[c] + std::string(" from"), to = axes[c] + std::string(" to");
-          boxed                  = boxed || node.has(from) || node.has(to);
+          boxed = boxed || node.has(from) || node.has(to);
           if (node.has(from))
             face.low[c] = node.number(from);
           if (node.has(to))
@@ -78,7 +78,8 @@ namespace myolines
     schema.file("file", "Mesh, in any version and encoding of these formats.")
         .text("scale", "1", "Unit of the coordinates (m, cm, mm, um), or their factor to metres.")
         .integer("refinement", 0, Range::closed(0, 6), "Each refinement halves the cells in all directions.")
-        .section("faces", Schema("Faces by place, each a list with a name of your choice; earlier ones come first.").named_sections(face_schema()));
+        .section("faces",
+                 Schema("Faces by place, each a list with a name of your choice; earlier ones come first.").named_sections(face_schema()));
     return schema;
   }
 

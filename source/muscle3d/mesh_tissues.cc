@@ -119,9 +119,9 @@ namespace myolines
 
   std::vector<unsigned int> tissues_of_cells(const PlainMesh &mesh, MeshBody &body, const MeshRefusal &refuse)
   {
-    const TissuesOfGroups            tissues(mesh, refuse);
-    std::map<std::vector<int>, CellId> known;
-    std::vector<unsigned int>        ids;
+    const TissuesOfGroups               tissues(mesh, refuse);
+    std::map<std::vector<int>, CellId>  known;
+    std::vector<unsigned int>           ids;
     std::map<unsigned int, std::size_t> of_tissue, of_volume;
     for (std::size_t i = 0; i < mesh.cells.size(); ++i)
       {

@@ -24,7 +24,8 @@ namespace myolines
       if (value >= low && value <= high)
         return;
       std::ostringstream text;
-      text << name << " is " << value << " " << unit << "; usual are " << low << " to " << high << " " << unit;
+      const std::string  behind = unit.empty() ? "" : " " + unit;
+      text << name << " is " << value << behind << "; usual are " << low << " to " << high << behind;
       for (const auto &[factor, of] : meant)
         if (value * factor >= low && value * factor <= high)
           {
@@ -37,8 +38,8 @@ namespace myolines
 
   std::string implausible_size(const Geometry &geometry)
   {
-    const double       most = *std::max_element(geometry.size.begin(), geometry.size.end()),
-                 least      = *std::min_element(geometry.size.begin(), geometry.size.end());
+    const double most  = *std::max_element(geometry.size.begin(), geometry.size.end()),
+                 least = *std::min_element(geometry.size.begin(), geometry.size.end());
     std::ostringstream text;
     if (most > longest)
       {
@@ -47,7 +48,10 @@ namespace myolines
           {
             text << ". " << (factor == 1e-3 ? "Millimetres" : factor == 1e-2 ? "Centimetres" : "Micrometres") << " were probably meant: ";
             if (geometry.mesh)
-              text << "geometry/scale = " << factor << " times what it is (" << (factor == 1e-3 ? "mm" : factor == 1e-2 ? "cm" : "um")
+              text << "geometry/scale = " << factor << " times what it is ("
+                   << (factor == 1e-3   ? "mm"
+                       : factor == 1e-2 ? "cm"
+                                        : "um")
                    << " for a mesh that is read as metres now)";
             else
               text << "a length of " << most * factor << " m";
@@ -67,7 +71,7 @@ namespace myolines
     if (parameters.geometry.mesh && parameters.geometry.mesh->worst < 0.01)
       {
         std::ostringstream text;
-        text << "the mesh has nearly degenerate cells: smallest corner Jacobian over the largest of its cell " << parameters.geometry.mesh->worst
+        text << "the mesh has nearly degenerate cells: smallest scaled Jacobian " << parameters.geometry.mesh->worst
              << "; below 0.01 results are doubtful and solves slow";
         sentences.push_back(text.str());
       }
@@ -76,11 +80,14 @@ namespace myolines
         {
           const TissueParameters &tissue = found->second;
           if (kind.id == muscle_id && tissue.fibre.sigma0 != 0)
-            judge("the maximum isometric stress", tissue.fibre.sigma0, "Pa", 1e3, 1e7, {{1e3, "kPa"}, {1e6, "MPa"}, {1e4, "N/cm^2"}}, sentences);
-          judge("the density of " + kind.name, tissue.density, "kg/m^3", 500, 2000, {{1e3, "g/cm^3"}, {1e12, "t/mm^3"}, {1e9, "kg/mm^3"}}, sentences);
-          judge("the bulk modulus of " + kind.name, tissue.bulk_modulus, "Pa", 1e4, 1e10, {{1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}}, sentences);
+            judge("the maximum isometric stress", tissue.fibre.sigma0, "Pa", 1e3, 1e7, {{1e3, "kPa"}, {1e6, "MPa"}, {1e4, "N/cm^2"}},
+                  sentences);
+          judge("the density of " + kind.name, tissue.density, "kg/m^3", 500, 2000, {{1e3, "g/cm^3"}, {1e12, "t/mm^3"}, {1e9, "kg/mm^3"}},
+                sentences);
+          judge("the bulk modulus of " + kind.name, tissue.bulk_modulus, "Pa", 1e4, 1e10, {{1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}},
+                sentences);
           if (const double mu = 2 * tissue.base.coefficients()[0]; mu > 0 && !tissue.matrix)
-            judge("the bulk modulus over the shear modulus of " + kind.name, tissue.bulk_modulus / mu, "-", 10, 1e6, {}, sentences);
+            judge("the bulk modulus over the shear modulus of " + kind.name, tissue.bulk_modulus / mu, "", 2, 1e6, {}, sentences);
         }
     return sentences;
   }

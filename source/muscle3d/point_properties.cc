@@ -118,7 +118,7 @@ namespace myolines
         tree_ = dealii::pack_rtree(places);
       }
 
-      std::vector<Row>                                            rows_;
+      std::vector<Row>                                         rows_;
       dealii::RTree<std::pair<dealii::Point<3>, unsigned int>> tree_;
     };
 
@@ -136,11 +136,11 @@ namespace myolines
     using Row = PointProperties::Row;
     using scene::Range;
     static const std::vector<PointQuantity> quantities{
-      {"max_iso_stress_muscle", Range::not_negative(), [](Row &row, const double x) { row.stress = x; }},
-      {"fat_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.fat = x; }},
-      {"activation_scale", Range::not_negative(), [](Row &row, const double x) { row.activation_scale = x; }},
-      {"matrix_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.matrix = x; }},
-      {"tissue_id", Range::closed(muscle_id, tendon_id), [](Row &row, const double x) { row.tissue = x; }}};
+        {"max_iso_stress_muscle", Range::not_negative(), [](Row &row, const double x) { row.stress = x; }},
+        {"fat_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.fat = x; }},
+        {"activation_scale", Range::not_negative(), [](Row &row, const double x) { row.activation_scale = x; }},
+        {"matrix_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.matrix = x; }},
+        {"tissue_id", Range::closed(muscle_id, tendon_id), [](Row &row, const double x) { row.tissue = x; }}};
     return quantities;
   }
 

@@ -6,25 +6,33 @@
 namespace
 {
   /// A box of two hexahedra, 30 x 10 x 10 of a unit, without any groups.
-  const std::string bare = "$NOD\n12\n1 0 0 0\n2 15 0 0\n3 30 0 0\n4 0 10 0\n5 15 10 0\n6 30 10 0\n7 0 0 10\n8 15 0 10\n9 30 0 10\n10 0 10 10\n"
-                           "11 15 10 10\n12 30 10 10\n$ENDNOD\n$ELM\n2\n1 5 0 0 8 1 2 5 4 7 8 11 10\n2 5 0 0 8 2 3 6 5 8 9 12 11\n$ENDELM\n";
+  const std::string bare =
+      "$NOD\n12\n1 0 0 0\n2 15 0 0\n3 30 0 0\n4 0 10 0\n5 15 10 0\n6 30 10 0\n7 0 0 10\n8 15 0 10\n9 30 0 10\n10 0 10 10\n"
+      "11 15 10 10\n12 30 10 10\n$ENDNOD\n$ELM\n2\n1 5 0 0 8 1 2 5 4 7 8 11 10\n2 5 0 0 8 2 3 6 5 8 9 12 11\n$ENDELM\n";
 
   std::string parameter(const std::string &name, const std::string &value)
   {
     return "<Parameter name=\"" + name + "\" type=\"string\" value=\"" + value + "\"/>\n";
   }
-  std::string list(const std::string &name, const std::string &inside) { return "<ParameterList name=\"" + name + "\">\n" + inside + "</ParameterList>\n"; }
+  std::string list(const std::string &name, const std::string &inside)
+  {
+    return "<ParameterList name=\"" + name + "\">\n" + inside + "</ParameterList>\n";
+  }
 
-  const std::string ends = list("left", parameter("normal", "-1 0 0")) + list("right", parameter("normal", "1 0 0") + parameter("through", "0.03 0 0"));
+  const std::string ends =
+      list("left", parameter("normal", "-1 0 0")) + list("right", parameter("normal", "1 0 0") + parameter("through", "0.03 0 0"));
 
   std::string scene(const std::string &faces, const std::string &conditions, const std::string &scale = "mm")
   {
-    return list("scene", list("system", parameter("type", "muscle 3d") +
-                                          list("geometry", parameter("type", "mesh") + parameter("file", "bare.msh") + parameter("scale", scale) +
-                                                             list("faces", faces)) +
-                                          list("boundary", conditions)) +
-                           list("integrator", parameter("type", "backward euler")) +
-                           list("time", "<Parameter name=\"end\" type=\"double\" value=\"0.02\"/><Parameter name=\"step\" type=\"double\" value=\"0.01\"/>"));
+    return list(
+        "scene",
+        list("system", parameter("type", "muscle 3d") +
+                           list("geometry", parameter("type", "mesh") + parameter("file", "bare.msh") + parameter("scale", scale) +
+                                                list("faces", faces)) +
+                           list("boundary", conditions)) +
+            list("integrator", parameter("type", "backward euler")) +
+            list("time",
+                 "<Parameter name=\"end\" type=\"double\" value=\"0.02\"/><Parameter name=\"step\" type=\"double\" value=\"0.01\"/>"));
   }
   std::string fixed(const std::string &face) { return list("held " + face, parameter("face", face) + parameter("type", "fixed")); }
 
@@ -79,7 +87,9 @@ namespace
     const Outcome unknown = run("check", scene("", "", "furlong"));
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_NE(unknown.err.find("is neither a unit nor a factor"), std::string::npos) << unknown.err;
-    const Outcome values = run("check", scene("", ""), "--set system/tissues/muscle/density=1.06 --set \"system/tissues/muscle/fibre/maximum isometric stress=200\"");
+    const Outcome values =
+        run("check", scene("", ""),
+            "--set system/tissues/muscle/density=1.06 --set \"system/tissues/muscle/fibre/maximum isometric stress=200\"");
     EXPECT_NE(values.out.find("kPa instead of Pa? That would be 200000"), std::string::npos) << values.out;
     EXPECT_NE(values.out.find("g/cm^3 instead of kg/m^3? That would be 1060"), std::string::npos) << values.out;
   }
@@ -91,7 +101,8 @@ namespace
       std::istringstream lines(told.substr(told.find("System:")));
       std::string        kept;
       for (std::string line; std::getline(lines, line);)
-        if (line.find("extent") != std::string::npos || line.find("cells") != std::string::npos || line.find("quadrilaterals on") != std::string::npos)
+        if (line.find("extent") != std::string::npos || line.find("cells") != std::string::npos ||
+            line.find("quadrilaterals on") != std::string::npos)
           kept += line + "\n";
       return kept;
     };

@@ -66,8 +66,8 @@ namespace myolines
     TEST(AbaqusFiles, ElementsGoOverLinesAndBelongToSets)
     {
       const PlainMesh mesh =
-        test::mesh_of("*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,.5,0,0\n6,.5,.5,0\n7,0,.5,0\n8,0,0,.5\n9,.5,0,.5\n10,0,.5,.5\n"
-                      "*ELEMENT,TYPE=C3D10M\n4,1,2,3,4,5,\n6,7,8,9,10\n*ELSET,ELSET=muscle\n4\n*ELSET,ELSET=whole\nmuscle\n");
+          test::mesh_of("*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n5,.5,0,0\n6,.5,.5,0\n7,0,.5,0\n8,0,0,.5\n9,.5,0,.5\n10,0,.5,.5\n"
+                        "*ELEMENT,TYPE=C3D10M\n4,1,2,3,4,5,\n6,7,8,9,10\n*ELSET,ELSET=muscle\n4\n*ELSET,ELSET=whole\nmuscle\n");
       ASSERT_EQ(mesh.cells.size(), 1u);
       EXPECT_EQ(mesh.cells[0].shape, PlainMesh::Shape::tetrahedron);
       EXPECT_EQ(mesh.straightened, 1u);

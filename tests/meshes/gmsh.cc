@@ -98,9 +98,10 @@ namespace myolines
 
     TEST(GmshFiles, HigherOrderKeepsItsCorners)
     {
-      const PlainMesh mesh = test::mesh_of("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 .5 0 0\n6 .5 .5 0\n7 0 .5 0\n"
-                                           "8 0 0 .5\n9 0 .5 .5\n10 .6 0 .6\n$EndNodes\n$Elements\n2\n1 11 2 1 1 1 2 3 4 5 6 7 8 9 10\n2 9 2 4 4 1 2 3 5 6 7\n"
-                                           "$EndElements\n");
+      const PlainMesh mesh = test::mesh_of(
+          "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n10\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 .5 0 0\n6 .5 .5 0\n7 0 .5 0\n"
+          "8 0 0 .5\n9 0 .5 .5\n10 .6 0 .6\n$EndNodes\n$Elements\n2\n1 11 2 1 1 1 2 3 4 5 6 7 8 9 10\n2 9 2 4 4 1 2 3 5 6 7\n"
+          "$EndElements\n");
       EXPECT_EQ(mesh.straightened, 1u);
       ASSERT_EQ(mesh.cells.size(), 1u);
       EXPECT_EQ(mesh.cells[0].shape, PlainMesh::Shape::tetrahedron);

@@ -46,7 +46,8 @@ namespace myolines::test
   /// Cells with the number of a partition, as partitioned meshes have it.
   inline std::string gmsh_2()
   {
-    std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + group_names + "$Nodes\n" + numbered_nodes() + "$EndNodes\n$Elements\n5\n9 15 2 3 3 5\n";
+    std::string text =
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + group_names + "$Nodes\n" + numbered_nodes() + "$EndNodes\n$Elements\n5\n9 15 2 3 3 5\n";
     for (int f = 0; f < 2; ++f)
       text += std::to_string(f + 1) + " 3 2 " + std::to_string(TwoCubes::group_of_face[f]) + " 7" + nodes_of(TwoCubes::face[f], 4);
     for (int c = 0; c < 2; ++c)

@@ -23,7 +23,8 @@ namespace myolines
     PlainMesh mixed(const bool pyramid)
     {
       PlainMesh mesh;
-      mesh.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{1, 0, 1}}, {{1, 1, 1}}, {{0, 1, 1}}, {{2, 0, 0}}, {{2, 1, 0}}, {{0.5, 0.5, 2}}};
+      mesh.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{0, 0, 1}},    {{1, 0, 1}},
+                     {{1, 1, 1}}, {{0, 1, 1}}, {{2, 0, 0}}, {{2, 1, 0}}, {{0.5, 0.5, 2}}};
       mesh.cells  = {{Shape::hexahedron, 1, {{0, 1, 2, 3, 4, 5, 6, 7}}}, {Shape::wedge, 1, {{1, 5, 8, 2, 6, 9}}}};
       if (pyramid)
         mesh.cells.push_back({Shape::pyramid, 2, {{4, 5, 6, 7, 10}}});

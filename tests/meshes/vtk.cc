@@ -64,7 +64,10 @@ namespace myolines
       {
         std::ostringstream out;
         out << "<DataArray type='" << type << "' Name=\"" << name << "\" NumberOfComponents=\"" << components << "\" format=\""
-            << (coding_ == Coding::ascii ? "ascii" : coding_ <= Coding::compressed ? "binary" : "appended") << "\"";
+            << (coding_ == Coding::ascii        ? "ascii"
+                : coding_ <= Coding::compressed ? "binary"
+                                                : "appended")
+            << "\"";
         if (coding_ > Coding::compressed)
           {
             out << " offset=\"" << appended_.size() << "\"/>\n";
@@ -83,12 +86,14 @@ namespace myolines
 
       std::string file(const std::string &first_half)
       {
-        const bool compressed = coding_ == Coding::compressed || coding_ == Coding::appended_compressed;
-        std::string text = std::string("<?xml version=\"1.0\"?>\n<!-- by a test -->\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"") +
-                           (swapped_ ? "BigEndian" : "LittleEndian") + "\" header_type=\"" + (long_heads_ ? "UInt64" : "UInt32") + "\"" +
-                           (compressed ? " compressor=\"vtkZLibDataCompressor\"" : "") + ">\n<UnstructuredGrid>\n" + first_half + "</UnstructuredGrid>\n";
+        const bool  compressed = coding_ == Coding::compressed || coding_ == Coding::appended_compressed;
+        std::string text =
+            std::string("<?xml version=\"1.0\"?>\n<!-- by a test -->\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"") +
+            (swapped_ ? "BigEndian" : "LittleEndian") + "\" header_type=\"" + (long_heads_ ? "UInt64" : "UInt32") + "\"" +
+            (compressed ? " compressor=\"vtkZLibDataCompressor\"" : "") + ">\n<UnstructuredGrid>\n" + first_half + "</UnstructuredGrid>\n";
         if (coding_ > Coding::compressed)
-          text += std::string("<AppendedData encoding=\"") + (coding_ == Coding::appended_base64 ? "base64" : "raw") + "\">\n_" + appended_ + "\n</AppendedData>\n";
+          text += std::string("<AppendedData encoding=\"") + (coding_ == Coding::appended_base64 ? "base64" : "raw") + "\">\n_" +
+                  appended_ + "\n</AppendedData>\n";
         return text + "</VTKFile>\n";
       }
 
@@ -158,10 +163,11 @@ namespace myolines
           offsets.push_back(static_cast<double>(connectivity.size()));
           fibre.insert(fibre.end(), {1, 0.5, static_cast<double>(offsets.size())});
         }
-      return vtu.file("<Piece NumberOfPoints=\"12\" NumberOfCells=\"5\">\n<PointData>\n" + vtu.array("Float32", "height", std::vector<double>(12, 0.25)) +
-                      "</PointData>\n<CellData>\n" + vtu.array("Int32", "gmsh:physical", {groups.begin(), groups.end()}) +
-                      vtu.array("Float64", "fibre", fibre, 3) + "</CellData>\n<Points>\n" + vtu.array("Float64", "Points", coordinates(), 3) +
-                      "</Points>\n<Cells>\n" + vtu.array("Int64", "connectivity", connectivity) + vtu.array("Int32", "offsets", offsets) +
+      return vtu.file("<Piece NumberOfPoints=\"12\" NumberOfCells=\"5\">\n<PointData>\n" +
+                      vtu.array("Float32", "height", std::vector<double>(12, 0.25)) + "</PointData>\n<CellData>\n" +
+                      vtu.array("Int32", "gmsh:physical", {groups.begin(), groups.end()}) + vtu.array("Float64", "fibre", fibre, 3) +
+                      "</CellData>\n<Points>\n" + vtu.array("Float64", "Points", coordinates(), 3) + "</Points>\n<Cells>\n" +
+                      vtu.array("Int64", "connectivity", connectivity) + vtu.array("Int32", "offsets", offsets) +
                       vtu.array("UInt8", "types", {types.begin(), types.end()}) + "</Cells>\n</Piece>\n");
     }
 
@@ -276,8 +282,8 @@ namespace myolines
       told(legacy(false, false), "POINTS 12", "POINTS 1200000000", "which the");
       // A block that is said to hold much more than zlib can compress.
       Vtu vtu(Coding::appended_compressed, false, false);
-      told(vtu.file(vtu.array("Float64", "Points", coordinates(), 3).insert(0, "<Piece><Points>") + "</Points></Piece>"), std::string("@\0\0\0", 4),
-           std::string("@\0\0\x7f", 4), "what zlib may compress");
+      told(vtu.file(vtu.array("Float64", "Points", coordinates(), 3).insert(0, "<Piece><Points>") + "</Points></Piece>"),
+           std::string("@\0\0\0", 4), std::string("@\0\0\x7f", 4), "what zlib may compress");
     }
 
     TEST(WrittenMeshes, ReadBackAsTheyWere)
@@ -285,9 +291,9 @@ namespace myolines
       PlainMesh mesh    = test::mesh_of(two_cubes(Coding::ascii));
       mesh.points[3][1] = 1. / 3;
       mesh.cells.push_back({PlainMesh::Shape::tetrahedron, 2, {{0, 1, 3, 6}}});
-      mesh.cell_fields  = {{"fibre", 3, {1, 0.1, 0, 1, 0.2, 0, 1, 0.3, 1e-300}}};
-      mesh.cell_groups  = {{1, "muscle"}, {2, "tendon of \"Achilles\" & sons"}};
-      mesh.face_groups  = {{11, "x-"}, {12, "the end"}};
+      mesh.cell_fields = {{"fibre", 3, {1, 0.1, 0, 1, 0.2, 0, 1, 0.3, 1e-300}}};
+      mesh.cell_groups = {{1, "muscle"}, {2, "tendon of \"Achilles\" & sons"}};
+      mesh.face_groups = {{11, "x-"}, {12, "the end"}};
       for (const std::string &ending : mesh_endings())
         {
           const PlainMesh again = test::mesh_of(mesh_text(mesh, ending));

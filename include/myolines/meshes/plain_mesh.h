@@ -41,13 +41,13 @@ namespace myolines
       std::vector<double> values; ///< [cells or points][components]
     };
 
-    std::vector<Position>      points; ///< as written, without a unit
-    std::vector<Element>       cells, faces; ///< a face in several groups is there for each
-    std::map<std::size_t, std::vector<int>> further_groups; ///< of cells in several groups, by place in the list
-    std::map<int, std::string> cell_groups, face_groups; ///< names by number, where they have one
-    std::vector<Field>         cell_fields, point_fields;
-    std::size_t                straightened = 0; ///< cells of higher order, of which the corners are kept
-    std::string                format;           ///< "Gmsh 4.1, binary"
+    std::vector<Position>                   points;                   ///< as written, without a unit
+    std::vector<Element>                    cells, faces;             ///< a face in several groups is there for each
+    std::map<std::size_t, std::vector<int>> further_groups;           ///< of cells in several groups, by place in the list
+    std::map<int, std::string>              cell_groups, face_groups; ///< names by number, where they have one
+    std::vector<Field>                      cell_fields, point_fields;
+    std::size_t                             straightened = 0; ///< cells of higher order, of which the corners are kept
+    std::string                             format;           ///< "Gmsh 4.1, binary"
   };
 
   /// How many corners, of faces and cells.
@@ -63,7 +63,7 @@ namespace myolines
   double signed_volume(const PlainMesh &mesh, const PlainMesh::Element &cell);
 
   /// Corners of a face, ascending; the fourth of a triangle is no_corner.
-  using FaceKey = std::array<unsigned int, 4>;
+  using FaceKey                    = std::array<unsigned int, 4>;
   constexpr unsigned int no_corner = 0xFFFFFFFF;
   FaceKey                face_key(const PlainMesh::Element &face);
 

@@ -42,8 +42,8 @@ namespace myolines
   };
 
   /// Names of the faces by number. Of a block: x-, x+, y-, y+, z-, z+. Of the gastrocnemius: x- and x+ are the ends of the lower and
-  /// of the upper layer, z- and z+ their outsides, "muscle x-" and "muscle x+" the ends of everything else. Of a mesh: its
-  /// own, those by place, and the rest.
+  /// of the upper layer, z- and z+ their outsides, "muscle x-" and "muscle x+" the ends of everything else. Of a mesh: its own, those by
+  /// place, and the rest.
   const std::vector<std::string> &face_names(const Geometry &geometry);
 
   /// Number of the face that @p parameter names. @throws InputError with the nearest one.

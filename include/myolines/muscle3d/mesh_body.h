@@ -21,11 +21,11 @@ namespace myolines
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
     std::string                         name;
-    std::string                         scene_path;                           ///< for messages
-    std::optional<dealii::Tensor<1, 3>> normal;                               ///< the outward normal is within the angle of this direction, unit
-    double                              angle = 30;                           ///< [degree]
-    std::optional<dealii::Point<3>>     through;                              ///< all corners lie on the plane through it, across the normal [m]
-    std::optional<double>               tolerance;                            ///< of their distance from that plane [m]; none: size / 1000
+    std::string                         scene_path; ///< for messages
+    std::optional<dealii::Tensor<1, 3>> normal;     ///< the outward normal is within the angle of this direction, unit
+    double                              angle = 30; ///< [degree]
+    std::optional<dealii::Point<3>>     through;    ///< all corners lie on the plane through it, across the normal [m]
+    std::optional<double>               tolerance;  ///< of their distance from that plane [m]; none: size / 1000
     dealii::Point<3>                    low{-infinity, -infinity, -infinity}, ///< box with the centre in it [m]
         high{infinity, infinity, infinity};
   };
@@ -33,17 +33,17 @@ namespace myolines
   /// The body of a mesh file: hexahedra, checked, whatever the file has.
   struct MeshBody
   {
-    std::vector<dealii::Point<3>>    vertices; ///< [m]
-    std::vector<dealii::CellData<3>> cells;    ///< material ids are those of CellId
-    dealii::SubCellData              faces;    ///< boundary ids are places in face_names
-    std::vector<std::string>         face_names;
-    std::size_t                      n_named = 0;  ///< of the faces: those of the file and by place; the other one is the rest
+    std::vector<dealii::Point<3>>       vertices; ///< [m]
+    std::vector<dealii::CellData<3>>    cells;    ///< material ids are those of CellId
+    dealii::SubCellData                 faces;    ///< boundary ids are places in face_names
+    std::vector<std::string>            face_names;
+    std::size_t                         n_named = 0;   ///< of the faces: those of the file and by place; the other one is the rest
     std::map<std::string, unsigned int> further_names; ///< of faces that have several
-    std::vector<std::string>         tissues;      ///< by name
-    dealii::Point<3>                 low, high;    ///< corners of the box around it
-    double                           volume = 0;   ///< [m^3]
-    double                           worst  = 1;   ///< smallest corner Jacobian over the largest of its cell
-    std::vector<std::string>         report;       ///< lines for `check`
+    std::vector<std::string>            tissues;       ///< by name
+    dealii::Point<3>                    low, high;     ///< corners of the box around it
+    double                              volume = 0;    ///< [m^3]
+    double                   worst = 1; ///< smallest scaled Jacobian of a cell: the determinant at a corner over the lengths of its edges
+    std::vector<std::string> report;    ///< lines for `check`
 
     /// The name of all quadrilaterals of the boundary that no other face has.
     static constexpr const char *rest = "rest";

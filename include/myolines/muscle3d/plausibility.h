@@ -8,7 +8,7 @@ namespace myolines
   std::string implausible_size(const Geometry &geometry);
 
   /// One sentence for every value that no muscle has: size, maximum isometric stress outside 1e3 to 1e7 Pa, density outside 500 to
-  /// 2000 kg/m^3, bulk modulus outside 1e4 to 1e10 Pa, or outside 10 to 1e6 times the shear modulus at rest; and for cells that are nearly
+  /// 2000 kg/m^3, bulk modulus outside 1e4 to 1e10 Pa, or outside 2 to 1e6 times the shear modulus at rest; and for cells that are nearly
   /// degenerate. Values are those of the lists, not of fields.
   std::vector<std::string> implausible_values(const Muscle3dParameters &parameters);
 } // namespace myolines
