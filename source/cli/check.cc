@@ -38,6 +38,29 @@ namespace myolines
               out << "  off  output " << section.name << ", " << entry.name << ": not asked for\n";
     }
 
+    /// Where Newton's method starts, and what is tried where it fails.
+    void print_first_guesses(const Experiment &experiment, std::ostream &out)
+    {
+      const MethodFacts        &facts  = experiment.method();
+      const SemiDiscreteSystem &system = *experiment.assembled().system;
+      if (experiment.paces_itself() || facts.solves != MethodFacts::Solves::nonlinear_equations || system.capabilities().linear)
+        return;
+      const std::string last  = "at the last displacement";
+      const bool        local = system.local(system.initial_state(experiment.settings().start).u).any();
+      out << "Newton's method: starts " << (!local ? last : facts.dynamic ? "at the displacement of the last velocity" : last);
+      const bool patient = local && !system.capabilities().rates;
+      if (patient)
+        out << ", with steps that may raise the residual for a while";
+      if (local && (patient || facts.dynamic))
+        out << "; where that fails, " << (facts.dynamic ? last : "again") << (patient ? ", with steps that lower it" : "");
+      const std::string control = experiment.scene().section("time").section("control").text("type");
+      if (!facts.dynamic)
+        out << "; where that fails, loads are raised in parts";
+      if (control != "fixed")
+        out << "; where that fails, the step is shortened";
+      out << "\n";
+    }
+
     /// "8 x 0.025 s", equal neighbours together.
     void print_steps(const Experiment &experiment, std::ostream &out)
     {
@@ -90,6 +113,7 @@ namespace myolines
     for (const std::string &line : memory_lines(experiment.scene()))
       out << "  " << line << "\n";
     print_method(experiment, out);
+    print_first_guesses(experiment, out);
     print_steps(experiment, out);
     for (const std::string &warning : experiment.warnings())
       out << "Warning: " << warning << "\n";

@@ -32,10 +32,11 @@ namespace myolines
   /// Of problems that do not tell the size of their forces the tolerance is relative to where the solve began.
   double Newton::tolerance(const Evaluation &evaluation) const
   {
-    constexpr double units = 16; // of rounding, as the resolution of a stage
-    const bool   sized    = evaluation.forces > 0 || evaluation.rounding > 0;
-    const double absolute = problem_.has_unit_of_residual() ? options_.absolute_tolerance.value_or(sized ? 0 : 1e-10) : 0;
-    return std::max({options_.relative_tolerance * (sized ? evaluation.forces : report_.initial_residual), absolute, units * evaluation.rounding});
+    constexpr double units    = 16; // of rounding, as the resolution of a stage
+    const bool       sized    = evaluation.forces > 0 || evaluation.rounding > 0;
+    const double     absolute = problem_.has_unit_of_residual() ? options_.absolute_tolerance.value_or(sized ? 0 : 1e-10) : 0;
+    return std::max(
+        {options_.relative_tolerance * (sized ? evaluation.forces : report_.initial_residual), absolute, units * evaluation.rounding});
   }
 
   bool Newton::begin(Iterate &at)
@@ -119,8 +120,7 @@ namespace myolines
       {
         function_.move(problem_, from, dx, alpha, to);
         const bool valid = to.evaluation.admissible;
-        if (valid &&
-            (accept_any || to.norm <= (1 - 1e-4 * alpha) * from.norm || (to.remaining == 0 && to.norm <= tolerance(to.evaluation))))
+        if (valid && (accept_any || (to.remaining == 0 && to.norm <= tolerance(to.evaluation)) || lowers(from, alpha, to)))
           {
             steps_.taken(cut == 0 ? problem_.importance(dx) : std::nullopt);
             return alpha;
@@ -133,6 +133,23 @@ namespace myolines
         ledger_.count("line search cuts");
         alpha *= valid ? shrink(from.norm, to.norm, alpha) : 0.5;
       }
+  }
+
+  /// Residuals rise along good steps where forces across them are large: a slender body that turns is stretched to second order, which
+  /// costs far more force than its bending. Full steps are taken all the same, in the hope that the next ones make good for it.
+  bool Newton::lowers(const Iterate &from, const double alpha, const Iterate &to)
+  {
+    const double before = waited_ > 0 ? lowest_ : from.norm;
+    if (to.norm <= (1 - 1e-4 * alpha) * before)
+      {
+        waited_ = 0;
+        return true;
+      }
+    if (waited_ >= problem_.patience())
+      return false;
+    ++waited_;
+    lowest_ = before;
+    return true;
   }
 
   void Newton::fail_search(const Iterate &from, const Iterate &trial, const unsigned int cuts, const double alpha)

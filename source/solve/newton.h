@@ -56,6 +56,7 @@ namespace myolines
     double      tolerance(const Evaluation &evaluation) const;
     bool        at_rounding(const Evaluation &evaluation) const;
     std::string looser_tolerance(const Evaluation &evaluation) const;
+    bool        lowers(const Iterate &from, double alpha, const Iterate &to);
     void        fail_search(const Iterate &from, const Iterate &trial, unsigned int cuts, double alpha);
 
     const Options    &options_;
@@ -67,5 +68,7 @@ namespace myolines
     NonlinearReport   report_;
     NewtonSteps       steps_;
     bool              below_resolution_ = false; ///< the last direction is
+    unsigned int      waited_           = 0;     ///< steps since the residual was last below all before
+    double            lowest_           = 0;     ///< that residual, where waited_ > 0
   };
 } // namespace myolines

@@ -60,21 +60,19 @@ namespace myolines
 
   NonlinearReport StageSolver::solve(const Stage &stage, State &point, Vector &d)
   {
-    StageProblem    problem(*work_, stage, point, d);
-    NonlinearReport report;
-    Vector          guess(d);
+    const Vector guess(d);
+    StageProblem problem(*work_, stage, point, d, true);
+    const bool   bold = problem.predicts() || problem.patience() > 0;
     if (problem.predicts())
+      problem.predict(d);
+    NonlinearReport report = solver_.solve(problem, d);
+    if (!report.converged && bold)
       {
-        problem.predict(d);
-        report = solver_.solve(problem, d);
-        if (!report.converged)
-          work_->ledger.count("predicted guesses given up");
-      }
-    if (!report.converged)
-      {
-        d.swap(guess);
+        work_->ledger.count("bold solves given up");
+        d = guess;
+        StageProblem          cautious(*work_, stage, point, d, false);
         const NonlinearReport before = report;
-        report                       = solver_.solve(problem, d);
+        report                       = solver_.solve(cautious, d);
         report.iterations += before.iterations;
         report.linear_iterations += before.linear_iterations;
         report.residual_evaluations += before.residual_evaluations;

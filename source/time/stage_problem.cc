@@ -16,10 +16,11 @@ namespace myolines
     constexpr double rounding = 1e-12;
   } // namespace
 
-  StageProblem::StageProblem(StageWork &work, const Stage &stage, State &predictor, const Vector &d)
+  StageProblem::StageProblem(StageWork &work, const Stage &stage, State &predictor, const Vector &d, const bool bold)
     : work_(work)
     , stage_(stage)
     , predictor_(predictor)
+    , bold_(bold)
     , by_(stage.c.u != 0 ? &State::u : &State::a)
     , c_by_(stage.c.u != 0 ? stage.c.u : stage.c.a)
   {

@@ -70,11 +70,12 @@ namespace myolines
   class StageProblem : public NonlinearProblem
   {
   public:
-    StageProblem(StageWork &work, const Stage &stage, State &predictor, const Vector &d);
+    /// @p bold: takes what promises few iterations, and may fail for it.
+    StageProblem(StageWork &work, const Stage &stage, State &predictor, const Vector &d, bool bold);
 
     /// Whether the velocities of the stage tell a first guess of d. Extrapolated displacements violate the volume constraint of nearly
     /// incompressible bodies: they are for systems whose local unknowns are iterates.
-    bool predicts() const { return start_.any() && stage_.first_v != nullptr && stage_.c.v != 0; }
+    bool predicts() const { return bold_ && start_.any() && stage_.first_v != nullptr && stage_.c.v != 0; }
 
     /// d of the velocities Stage::first_v.
     void predict(Vector &d) const { combine(d, {{1 / stage_.c.v, stage_.first_v}, {-1 / stage_.c.v, &predictor_.v}}); }
@@ -97,6 +98,10 @@ namespace myolines
     const WeightsByOrder &weights() const override { return weights_; }
     bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
     bool                  affine() const override { return work_.capabilities.linear; }
+
+    /// At a pressure of its own a body comes back from what a step has stretched. Where rates matter residuals rise at the kink of the
+    /// force-velocity curve, and steps that go on from there wander.
+    unsigned int patience() const override { return bold_ && start_.any() && !work_.capabilities.rates ? 12 : 0; }
 
     bool open_rates(const Vector &d) override;
     void keep_open(const double share) override { open_ = share; }
@@ -123,6 +128,7 @@ namespace myolines
     StageWork   &work_;
     const Stage &stage_;
     State       &predictor_;
+    const bool   bold_;
     Vector State::*by_; ///< the quantity whose prescribed value determines d
     double         c_by_;
     WeightsByOrder weights_;

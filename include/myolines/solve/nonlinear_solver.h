@@ -32,7 +32,8 @@ namespace myolines
   /// forces the tolerance is relative to |F_free after the lift|. A Newton step below the resolution of x has converged too, and, where
   /// the problem tells the importance of Newton steps, a solve of which what remains does not matter (NewtonSteps).
   /// Line search: accept |G| <= (1 - 1e-4 alpha) |G_0|, else quadratic interpolation clamped to [0.1, 0.5] of the last alpha; halve at
-  /// inadmissible points; at most `line search cuts` cuts. |G| holds the residual of the local unknowns too.
+  /// inadmissible points; at most `line search cuts` cuts. A patient problem
+  /// (NonlinearProblem::patience) accepts larger ones for a while. |G| holds the residual of the local unknowns too.
   ///
   /// Ledger: "nonlinear solves", "newton iterations", "line search cuts". Prints nothing.
   class NonlinearSolver
