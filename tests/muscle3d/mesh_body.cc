@@ -13,7 +13,7 @@
 
 namespace myolines
 {
-  namespace
+  namespace mesh_bodies
   {
     std::filesystem::path written(const std::string &text)
     {
@@ -253,5 +253,5 @@ namespace myolines
           << refusal(bare, {top, side});
       EXPECT_NE(refusal(two_boxes(), {placed("foot")}).find("the mesh has a face of this name"), std::string::npos);
     }
-  } // namespace
+  } // namespace mesh_bodies
 } // namespace myolines

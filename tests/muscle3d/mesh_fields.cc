@@ -12,7 +12,7 @@
 
 namespace myolines
 {
-  namespace
+  namespace mesh_fields
   {
     using Shape = PlainMesh::Shape;
 
@@ -96,5 +96,5 @@ namespace myolines
       mesh.point_fields = {{"fat_fraction", 1, std::vector<double>(10, 37.)}};
       told(mesh, "row 0 of the array \"fat_fraction\" is 37");
     }
-  } // namespace
+  } // namespace mesh_fields
 } // namespace myolines

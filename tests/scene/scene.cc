@@ -67,6 +67,12 @@ namespace
   }
 } // namespace
 
+TEST(Scene, ANumberIsATextToo)
+{
+  EXPECT_EQ(read(parameter("title", "double", "0.5")).text("title"), "0.5");
+  EXPECT_FALSE(problems_of([] { read(parameter("title", "bool", "true")); }).empty());
+}
+
 TEST(Scene, DefaultsStandWhereNothingIsWritten)
 {
   const Node node = read("");
