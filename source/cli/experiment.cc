@@ -85,7 +85,8 @@ namespace myolines
       {
         const scene::Node &control = time.section("control");
         if (control.has("largest gain"))
-          control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself", "no \"largest gain\", or another method");
+          control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself",
+                         "no \"largest gain\", or another method");
         self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
         return;
       }
@@ -234,8 +235,7 @@ namespace myolines
       }
   }
 
-  void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder,
-                       const std::function<int()> &stop)
+  void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop)
   {
     signal_                 = stop;
     const scene::Node &time = scene_.section("time");

@@ -24,7 +24,7 @@ namespace myolines
       void add(const NodeSpace::Cell &cell, const int q, const PointState &p)
       {
         const double distance = rule_ == SlabRule::whole_cells ? distance_of(cell->center()[0], 0) : // exact comparison, as the peer
-                                                                 distance_of(point_position(element_, cell, q)[0], tolerance());
+                                    distance_of(point_position(element_, cell, q)[0], tolerance());
         if (distance > distance_ + tolerance())
           return;
         if (distance < distance_ - tolerance())
@@ -63,7 +63,7 @@ namespace myolines
         return x >= 3. / 8 * length_ - tolerance && x <= 5. / 8 * length_ + tolerance ? 0 : std::abs(x - length_ / 2);
       }
 
-      void   clear()
+      void clear()
       {
         volume_ = stretch_ = pennation_ = strain_rate_ = 0;
         velocity_                                      = Vector3();

@@ -106,8 +106,8 @@ namespace myolines
   Evaluation OscillatorSystem::residual(const Point &point, Vector &r) const
   {
     ledger_.count("residual evaluations");
-    const double stretch    = difference(point.u);
-    const double spring     = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch +
+    const double stretch = difference(point.u);
+    const double spring  = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch +
                           parameters_.cubic_stiffness * stretch * stretch * stretch;
     const double load = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
 
