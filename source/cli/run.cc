@@ -190,7 +190,7 @@ namespace myolines
 
     const OutputFolder outputs =
         checkpoint ? folder.resume(resolved, checkpoint->outputs) : folder.begin(resolved, options.overwrite, record);
-    const auto book  = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
+    const auto book = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
     Outputs    observers;
     const auto close = [&](const std::string &reason) {
       record.energy = energy_of_run(observers);

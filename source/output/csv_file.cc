@@ -107,8 +107,8 @@ namespace myolines
   void CsvFile::row(const std::vector<std::string> &texts)
   {
     if (texts.size() != columns_.size())
-      throw std::logic_error(path_.string() + " has " + std::to_string(columns_.size()) + " columns, a row of " + std::to_string(texts.size()) +
-                             " does not fit");
+      throw std::logic_error(path_.string() + " has " + std::to_string(columns_.size()) + " columns, a row of " +
+                             std::to_string(texts.size()) + " does not fit");
     write(texts);
   }
 

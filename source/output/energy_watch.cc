@@ -42,9 +42,9 @@ namespace myolines
           balance_.accepted(state.t, system_.energetics(state, Side::left));
       }
 
-      const SemiDiscreteSystem                        &system_;
+      const SemiDiscreteSystem                       &system_;
       const std::function<EnergyRates(const State &)> rates_;
-      EnergyBalance                                    balance_;
+      EnergyBalance                                   balance_;
     };
   } // namespace
 

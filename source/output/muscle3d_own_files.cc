@@ -50,8 +50,8 @@ namespace myolines
     std::vector<std::string> columns{"Time [s]",           "Kinetic [J]",         "Stored volumetric [J]", "Stored base [J]",
                                      "Stored passive [J]", "Active work [J]",     "Dissipated [J]",        "External work [J]",
                                      "Balance drift [J]",  "Stored tendinous [J]"};
-    const bool               springs = std::any_of(parameters.boundary.begin(), parameters.boundary.end(),
-                                     [](const BoundaryCondition &c) { return c.is_spring(); });
+    const bool               springs =
+        std::any_of(parameters.boundary.begin(), parameters.boundary.end(), [](const BoundaryCondition &c) { return c.is_spring(); });
     if (springs)
       columns.push_back("Stored springs [J]");
     return make_series_file(folder, "energy_balance.csv", columns, [&balance, springs](const Muscle3dSample &sample) {

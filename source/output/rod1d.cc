@@ -166,7 +166,8 @@ namespace myolines
       observers.push_back(make_motion(
           output.section("motion"), trace_columns(places), [&system, places](const State &state) { return trace(system, places, state); },
           folder, true));
-    observers.push_back(make_energy_watch(system, [&system](const State &state) { return system.energy_rates(state); }, folder));
+    observers.push_back(make_energy_watch(
+        system, [&system](const State &state) { return system.energy_rates(state); }, folder));
     return observers;
   }
 } // namespace myolines

@@ -32,11 +32,10 @@ namespace myolines
       {
         const StepReport &report = record.report;
         const auto        cell   = [](const std::optional<double> &number) { return number ? exact_text(*number) : ""; };
-        csv_.row(std::vector<std::string>{std::to_string(record.number), exact_text(record.t), exact_text(record.dt),
-                                          outcome_text(report.outcome), std::to_string(report.newton_iterations),
-                                          std::to_string(report.linear_iterations), std::to_string(report.residual_evaluations),
-                                          cell(report.initial_residual), cell(report.final_residual), cell(report.error_estimate),
-                                          report.reason});
+        csv_.row(std::vector<std::string>{
+            std::to_string(record.number), exact_text(record.t), exact_text(record.dt), outcome_text(report.outcome),
+            std::to_string(report.newton_iterations), std::to_string(report.linear_iterations), std::to_string(report.residual_evaluations),
+            cell(report.initial_residual), cell(report.final_residual), cell(report.error_estimate), report.reason});
       }
 
       static constexpr const char *file = "steps.csv";

@@ -63,8 +63,8 @@ namespace myolines
       return;
     const EnergyReport &r = report_;
     archive.put_numbers(entry, {before_->t, before_->rates.active, before_->rates.dissipation, before_->rates.external, energy_at_start_,
-                               works_.active, works_.dissipation, works_.external, looked_at_, lowest_, low_at_, r.drift, r.exchanged,
-                               r.rise.from, r.rise.to, r.rise.size, r.jump.from, r.jump.to, r.jump.size});
+                                works_.active, works_.dissipation, works_.external, looked_at_, lowest_, low_at_, r.drift, r.exchanged,
+                                r.rise.from, r.rise.to, r.rise.size, r.jump.from, r.jump.to, r.jump.size});
   }
 
   void EnergyBalance::load(const Archive &archive)
@@ -72,12 +72,12 @@ namespace myolines
     if (!archive.has_numbers(entry))
       return;
     const std::vector<double> &m = archive.numbers(entry);
-    before_          = Instant{m.at(0), {m.at(1), m.at(2), m.at(3)}};
-    energy_at_start_ = m.at(4);
-    works_           = {m.at(5), m.at(6), m.at(7)};
-    looked_at_       = m.at(8);
-    lowest_          = m.at(9);
-    low_at_          = m.at(10);
-    report_          = {m.at(11), m.at(12), {m.at(13), m.at(14), m.at(15)}, {m.at(16), m.at(17), m.at(18)}};
+    before_                      = Instant{m.at(0), {m.at(1), m.at(2), m.at(3)}};
+    energy_at_start_             = m.at(4);
+    works_                       = {m.at(5), m.at(6), m.at(7)};
+    looked_at_                   = m.at(8);
+    lowest_                      = m.at(9);
+    low_at_                      = m.at(10);
+    report_                      = {m.at(11), m.at(12), {m.at(13), m.at(14), m.at(15)}, {m.at(16), m.at(17), m.at(18)}};
   }
 } // namespace myolines

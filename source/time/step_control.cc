@@ -159,9 +159,9 @@ namespace myolines
                        "Schedule of steps instead of one size, \"count x size\" separated by semicolons: \"4 x 0.025; 8 x 0.0125\".")
         .optional_text("land on",
                        "Further times at which a step ends, separated by spaces, for example \"0.1 0.25\": for values of exactly there.")
-        .section("control", scene::Schema("How long steps are, and what happens when one fails.")
-                                .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}, {"error", by_error}},
-                                         "Kind of step control."))
+        .section("control",
+                 scene::Schema("How long steps are, and what happens when one fails.")
+                     .variant("type", "cut back", {{"fixed", fixed}, {"cut back", cut_back}, {"error", by_error}}, "Kind of step control."))
         .choice("boundary rates", "exact", {"exact", "scheme"},
                 "Velocity and acceleration of moving boundaries: derivatives of the prescribed motion, or the formulas of the integrator.")
         .choice("start velocity", "consistent", {"consistent", "impulse"},

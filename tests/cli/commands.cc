@@ -37,7 +37,8 @@ TEST(Run, EndsWithTheBalanceOfItsEnergy)
   EXPECT_NE(manifest.find("\"exchanged [J]\": 0.5"), std::string::npos) << manifest;
   EXPECT_NE(manifest.find("\"drift [J]\": -0.047"), std::string::npos) << manifest;
 
-  const Outcome refused = run_program(folder, "run swing.xml --out g --set \"time/control/largest gain=1e-30\"  --set integrator/type=newmark");
+  const Outcome refused =
+      run_program(folder, "run swing.xml --out g --set \"time/control/largest gain=1e-30\"  --set integrator/type=newmark");
   EXPECT_EQ(refused.exit_code, 3);
   EXPECT_NE(refused.err.find("the balance of energy gains "), std::string::npos) << refused.err;
   EXPECT_NE(contents(folder / "g/steps.csv").find("energy gained"), std::string::npos);
@@ -47,9 +48,8 @@ TEST(Run, EndsWithTheBalanceOfItsEnergy)
 TEST(Run, WarnsOfEnergyFromNowhereInAMuscle)
 {
   const TestFolder  folder;
-  const std::string active =
-      "run muscle.xml --set time/step=5e-3 --set system/activation/type=ramp --set system/activation/duration=0.02 "
-      "--set system/activation/amplitude=0.5 ";
+  const std::string active = "run muscle.xml --set time/step=5e-3 --set system/activation/type=ramp --set system/activation/duration=0.02 "
+                             "--set system/activation/amplitude=0.5 ";
   folder.write("muscle.xml", muscle_scene);
   const Outcome outcome = run_program(folder, active + "--out out --set integrator/type=rosenbrock");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -59,8 +59,9 @@ TEST(Run, WarnsOfEnergyFromNowhereInAMuscle)
   EXPECT_NE(usual.out.find("Energy: "), std::string::npos) << usual.out;
   EXPECT_EQ(usual.out.find("the balance of energy gains"), std::string::npos) << usual.out;
 
-  const Outcome refused =
-      run_program(folder, active + "--out refused --set integrator/type=rosenbrock --set time/control/type=fixed --set \"time/control/largest gain=1e-4\"");
+  const Outcome refused = run_program(
+      folder,
+      active + "--out refused --set integrator/type=rosenbrock --set time/control/type=fixed --set \"time/control/largest gain=1e-4\"");
   EXPECT_EQ(refused.exit_code, 3);
   EXPECT_NE(refused.err.find("more than 0.0001 J"), std::string::npos) << refused.err;
 }

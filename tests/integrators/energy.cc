@@ -106,8 +106,8 @@ TEST(Energy, balancesWithForceSupportAndDamperCloseWithTheOrderOfTheMethod)
 
 TEST(Energy, aGainIsSeenWithItsTimes)
 {
-  Guarded       run({"end=1", "step=0.1", "control/type=fixed"});
-  const double  growth = 1 + 0.1 * 0.1;
+  Guarded      run({"end=1", "step=0.1", "control/type=fixed"});
+  const double growth = 1 + 0.1 * 0.1;
   run.run();
   const EnergyReport &report = run.watch.balance.report();
   EXPECT_NEAR(report.drift, 0.5 * (std::pow(growth, 10) - 1), 1e-12);
@@ -145,8 +145,9 @@ TEST(EnergyGuard, aRefusedStepLeavesNoTrace)
 
 TEST(EnergyGuard, theRunEndsAfterTheUsualCuts)
 {
-  for (const Overrides &settings : {Overrides{"end=1", "step=0.1", "control/type=cut back", "control/maximum cuts=3", "control/largest gain=1e-9"},
-                                    Overrides{"end=1", "step=0.1", "control/type=fixed", "control/largest gain=1e-9"}})
+  for (const Overrides &settings :
+       {Overrides{"end=1", "step=0.1", "control/type=cut back", "control/maximum cuts=3", "control/largest gain=1e-9"},
+        Overrides{"end=1", "step=0.1", "control/type=fixed", "control/largest gain=1e-9"}})
     {
       Guarded run(settings);
       try

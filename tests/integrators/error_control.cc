@@ -200,10 +200,10 @@ TEST_P(ByError, goesOnFromASavedStateBitForBit)
         }
     }
     std::optional<std::string> reason_to_stop(const State &, std::size_t) override { return std::nullopt; }
-    void      ended(const State &, std::size_t) override {}
-    Adaptive *run = nullptr;
-    Archive   integrator, control;
-    State     state;
+    void                       ended(const State &, std::size_t) override {}
+    Adaptive                  *run = nullptr;
+    Archive                    integrator, control;
+    State                      state;
   } save;
   const Overrides settings = tolerance(GetParam(), 1e-4);
   Adaptive        whole(GetParam(), driven_duffing(), 2, settings);

@@ -156,10 +156,10 @@ TEST_P(Sundials, goesOnFromASavedStateWithinTheTolerance)
         }
     }
     std::optional<std::string> reason_to_stop(const State &, std::size_t) override { return std::nullopt; }
-    void       ended(const State &, std::size_t) override {}
-    SelfPaced *run = nullptr;
-    Archive    integrator;
-    State      state;
+    void                       ended(const State &, std::size_t) override {}
+    SelfPaced                 *run = nullptr;
+    Archive                    integrator;
+    State                      state;
   } save;
   OscillatorParameters parameters;
   parameters.cubic_stiffness = 2;

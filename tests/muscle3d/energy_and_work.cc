@@ -72,7 +72,7 @@ namespace myolines
     TEST(Energy, StatedByTheSystemBelongsToTheResidual)
     {
       Simulation   run(contraction());
-      State        s = run.system.initial_state(0.05);
+      State        s    = run.system.initial_state(0.05);
       unsigned int seed = 1;
       for (const auto &[x, size] : {std::pair<Vector *, double>{&s.u, 1e-4}, {&s.v, 1e-2}, {&s.a, 1.}})
         {
@@ -107,7 +107,7 @@ namespace myolines
       const EnergyRates rates    = run.system.energetics(s, Side::left).rates;
       const double      expected = rates.active - rates.dissipation + rates.external + dealii::Utilities::MPI::sum(free, MPI_COMM_WORLD);
       EXPECT_NE(rates.active, 0);
-      EXPECT_NEAR((energy(h) - energy(-h)) / (2 * h), expected, 1e-5 * size);
+      EXPECT_NEAR((energy(h) - energy(-h)) / (2 * h), expected, 1e-5 * dealii::Utilities::MPI::sum(size, MPI_COMM_WORLD));
     }
 
     TEST(Energy, BalanceClosesWithTheOrderOfTheMethod)

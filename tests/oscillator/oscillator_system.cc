@@ -183,7 +183,8 @@ TEST(Oscillator, energyAndItsRatesBelongToTheResidual)
     return system.energetics(moved, Side::left).energy;
   };
   const EnergyRates rates = system.energetics(s, Side::left).rates;
-  EXPECT_NEAR((energy(h) - energy(-h)) / (2 * h), rates.active - rates.dissipation + rates.external + residual(system, s)(0) * s.v(0), 1e-8);
+  EXPECT_NEAR((energy(h) - energy(-h)) / (2 * h), rates.active - rates.dissipation + rates.external + residual(system, s)(0) * s.v(0),
+              1e-8);
   EXPECT_NEAR(rates.dissipation, 0.3 * std::pow(s.v(0) - s.v(1), 2), 1e-14);
   EXPECT_TRUE(system.capabilities().energy);
 }

@@ -43,10 +43,10 @@ TEST(EnergyLines, ALossIsNumericalDissipation)
 TEST(EnergyLines, AGainWarnsWithTimesAndMethodAlsoWhereItIsLostAgain)
 {
   EnergyReport report;
-  report.exchanged = 2;
-  report.drift     = -0.1;
-  report.rise      = {0.3, 0.5, 0.4};
-  report.jump      = {0.4, 0.42, 0.25};
+  report.exchanged        = 2;
+  report.drift            = -0.1;
+  report.rise             = {0.3, 0.5, 0.4};
+  report.jump             = {0.4, 0.42, 0.25};
   const std::string lines = text(report);
   EXPECT_TRUE(has(lines, "Warning: from t = 0.3 s to t = 0.5 s the balance of energy gains 0.4 J, 20 % of the 2 J exchanged")) << lines;
   EXPECT_TRUE(has(lines, "from t = 0.4 s to t = 0.42 s (0.25 J)")) << lines;

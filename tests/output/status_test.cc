@@ -110,8 +110,8 @@ TEST(StepsFile, MethodsWithoutAResidualShowNone)
 {
   test::Folder       folder;
   const OutputFolder outputs(folder.path);
-  const auto         steps     = make_steps_file(outputs);
-  StepRecord         explicit_ = record(1, 0.1, 0.1);
+  const auto         steps          = make_steps_file(outputs);
+  StepRecord         explicit_      = record(1, 0.1, 0.1);
   explicit_.report.initial_residual = explicit_.report.final_residual = std::nullopt;
   steps->accepted(State(), explicit_);
   EXPECT_EQ(folder.lines("steps.csv")[1], "1,0.1,0.1,accepted,5,34,0,,,,");

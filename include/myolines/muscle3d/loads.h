@@ -23,7 +23,7 @@ namespace myolines
     /// r -= F_ext(t): tractions, isotonic loads, spread evenly over their faces, and body force.
     /// Their l2 norm.
     double subtract_external(double t, Side side, Vector &r) const;
-    bool any_external() const { return body_force_ != nullptr || !tractions_.empty(); }
+    bool   any_external() const { return body_force_ != nullptr || !tractions_.empty(); }
 
     /// Power of the tractions and of the body force at velocity @p v on this rank [W].
     double traction_power(double t, Side side, const Vector &v) const; ///< of pressures and of isotonic loads too

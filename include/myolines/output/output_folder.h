@@ -42,9 +42,9 @@ namespace myolines
   private:
     struct List
     {
-      std::set<std::string> names;
+      std::set<std::string>                        names;
       std::map<std::string, std::set<std::string>> empty;
-      bool                  spares_others = false;
+      bool                                         spares_others = false;
     };
     std::shared_ptr<List> list_;
   };

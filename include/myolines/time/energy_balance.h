@@ -28,8 +28,8 @@ namespace myolines
   ///     drift = energy - energy at the start - active work + dissipated - external work,
   ///
   /// works being integrals over time of the rates, trapezoidal between accepted steps. It is zero for the semi-discrete system: what it
-  /// becomes is the error of the method and of the rule, of second order in the step. A method that damps lets it fall; a rise is energy from
-  /// nowhere.
+  /// becomes is the error of the method and of the rule, of second order in the step. A method that damps lets it fall; a rise is energy
+  /// from nowhere.
   class EnergyBalance
   {
   public:
@@ -66,8 +66,8 @@ namespace myolines
 
     std::optional<Instant> before_;
     double                 energy_at_start_ = 0;
-    EnergyRates            works_;               ///< [J]
-    double                 looked_at_ = 0;       ///< when the energy was looked at last [s]
+    EnergyRates            works_;                   ///< [J]
+    double                 looked_at_ = 0;           ///< when the energy was looked at last [s]
     double                 lowest_ = 0, low_at_ = 0; ///< least drift so far [J], and when [s]
     EnergyReport           report_;
   };

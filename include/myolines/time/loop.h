@@ -76,7 +76,7 @@ namespace myolines
     double              start  = 0; ///< [s]
     double              end    = 0; ///< [s]
     Events              events = Events::restart;
-    std::vector<double> landings;       ///< further times to land on [s], ascending
+    std::vector<double> landings;           ///< further times to land on [s], ascending
     std::size_t         steps_done = 0;     ///< accepted steps before the given state, of a resumed run
     bool                resumed    = false; ///< integrator and control have been loaded
   };
