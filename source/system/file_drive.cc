@@ -53,7 +53,7 @@ namespace myolines
       if (extent.least < range.low && !profile.rectify)
         return "raw EMG? Then \"rectify\", \"low-pass\" and \"normalise\" make an envelope of it";
       if (extent.greatest <= 100 * range.high && profile.column.unit.empty())
-        return "percent? Then write the unit into the name of the column, \"name [%]\", or \"unit\" = \"%\"";
+        return "percent? Then write the unit into the name of the column, \"name [%]\"";
       return "\"normalise\" divides by a maximum";
     }
 
@@ -144,7 +144,7 @@ namespace myolines
     if (start < begin() - rounding || end > this->end() + rounding)
       throw InputError(InputProblem{where_, "the samples in " + file_ + " are known " + interval_text(begin(), this->end()),
                                     "samples " + interval_text(start, end) + ", as \"time/start\" and \"time/end\" say",
-                                    "choose a start and an end inside the samples, or move those in time by \"shift\""});
+                                    "choose a start and an end inside the samples"});
   }
 
   const FileDrive *file_of(const Drive *drive)
