@@ -60,7 +60,7 @@ TEST(Flexodeal, AMeshReplacesTheBody)
   const scene::Node scene    = read_whole_scene(files.scene, {});
   const auto       &geometry = scene.section("system").section("geometry");
   EXPECT_EQ(geometry.text("type"), "mesh");
-  EXPECT_EQ(geometry.number("scale"), 1);
+  EXPECT_EQ(geometry.text("scale"), "1");
   const auto &conditions = scene.section("system").section("boundary").named();
   EXPECT_EQ(conditions[0].text("face"), "distal end");
   EXPECT_EQ(conditions[1].text("face"), "proximal end");
