@@ -20,7 +20,6 @@ namespace myolines
   {
     using scene::format_number;
     using scene::parse_number;
-    using scene::trimmed;
     using Settings = std::vector<scene::Setting>;
 
     /// An entry of the peer's file: where it goes, or why it goes nowhere.
@@ -208,33 +207,6 @@ namespace myolines
       bool                  full_;
       std::vector<Rule>     rules_;
     };
-
-    /// The lines of @p file as words, @p n_words each; all but the first @p n_names of them numbers.
-    std::vector<std::string> read_rows(const std::filesystem::path &file, const unsigned int n_names, const unsigned int n_words,
-                                       const std::string &expected)
-    {
-      std::istringstream       stream(scene::read_input_text(file));
-      std::vector<std::string> rows;
-      unsigned int             number = 0;
-      for (std::string line; std::getline(stream, line);)
-        {
-          ++number;
-          std::istringstream       words(line.substr(0, line.find('#')));
-          std::vector<std::string> row;
-          for (std::string word; words >> word;)
-            row.push_back(word);
-          if (row.empty())
-            continue;
-          bool good = row.size() == n_words;
-          for (unsigned int i = n_names; i < row.size(); ++i)
-            good = good && parse_number(row[i]);
-          if (!good)
-            throw InputError(InputProblem{file.string() + ", line " + std::to_string(number), "\"" + trimmed(line) + "\" is not understood",
-                                          expected, ""});
-          rows.push_back(join(row, " "));
-        }
-      return rows;
-    }
 
     void add_profile(Settings &settings, const std::string &path, const std::filesystem::path &file)
     {

@@ -91,4 +91,30 @@ namespace myolines
       }
     return reader.finish(line);
   }
+
+  std::vector<std::string> read_rows(const std::filesystem::path &file, const unsigned int n_names, const unsigned int n_words,
+                                     const std::string &expected)
+  {
+    std::istringstream       stream(scene::read_input_text(file));
+    std::vector<std::string> rows;
+    unsigned int             number = 0;
+    for (std::string line; std::getline(stream, line);)
+      {
+        ++number;
+        std::istringstream       words(line.substr(0, line.find('#')));
+        std::vector<std::string> row;
+        for (std::string word; words >> word;)
+          row.push_back(word);
+        if (row.empty())
+          continue;
+        bool good = row.size() == n_words;
+        for (unsigned int i = n_names; i < row.size(); ++i)
+          good = good && scene::parse_number(row[i]);
+        if (!good)
+          throw InputError(InputProblem{file.string() + ", line " + std::to_string(number), "\"" + trimmed(line) + "\" is not understood",
+                                        expected, ""});
+        rows.push_back(join(row, " "));
+      }
+    return rows;
+  }
 } // namespace myolines

@@ -79,14 +79,13 @@ namespace myolines
             ->allow_extra_args(false)
             ->type_name("PATH=VALUE");
         // After --set, whose values are there when this is called: what is removed may be set anew.
+        const auto unset = [this](const std::vector<std::string> &paths) {
+          for (const std::string &path : paths)
+            run.overrides.insert(run.overrides.begin(), "~" + path);
+        };
         command
-            ->add_option_function<std::vector<std::string>>(
-                "--unset",
-                [this](const std::vector<std::string> &paths) {
-                  for (const std::string &path : paths)
-                    run.overrides.insert(run.overrides.begin(), "~" + path);
-                },
-                "Removes a parameter or a list from the scene, which leaves its default; may be repeated")
+            ->add_option_function<std::vector<std::string>>("--unset", unset,
+                                                            "Removes a parameter or a list from the scene; may be repeated")
             ->allow_extra_args(false)
             ->type_name("PATH");
       }
