@@ -29,7 +29,7 @@ namespace meshes_by_the_program
         list("system", parameter("type", "muscle 3d") +
                            list("geometry", parameter("type", "mesh") + parameter("file", "bare.msh") + parameter("scale", scale) +
                                                 list("faces", faces)) +
-                           list("boundary", conditions)) +
+                           list("fibres", parameter("type", "direction")) + list("boundary", conditions)) +
             list("integrator", parameter("type", "backward euler")) +
             list("time",
                  "<Parameter name=\"end\" type=\"double\" value=\"0.02\"/><Parameter name=\"step\" type=\"double\" value=\"0.01\"/>"));
@@ -93,6 +93,17 @@ namespace meshes_by_the_program
   }
 
   /// A mesh that is written is the body that it was made of.
+  TEST_F(Meshes, FibresNeedADirectionOrALine)
+  {
+    const std::string without = "--unset system/fibres";
+    const Outcome     free    = run("check", scene("", ""), without);
+    EXPECT_EQ(free.exit_code, 2);
+    EXPECT_NE(free.err.find("the fibres of the mesh have no direction"), std::string::npos) << free.err;
+    const Outcome held = run("check", scene(ends, fixed("left") + fixed("right")), without);
+    EXPECT_EQ(held.exit_code, 0) << held.err;
+    EXPECT_NE(held.out.find("line of action: from right to left, direction (-1 0 0), length 0.03 m"), std::string::npos) << held.out;
+  }
+
   TEST_F(Meshes, WrittenMeshesAreTheSameBody)
   {
     const auto facts = [](const std::string &told) {
