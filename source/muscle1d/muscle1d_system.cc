@@ -2,6 +2,7 @@
 
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/system/band_linearisation.h>
+#include <myolines/system/instants.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
