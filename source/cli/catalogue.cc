@@ -265,6 +265,8 @@ namespace myolines
     /// What a method needs that an override has chosen for a scene made for another one.
     std::vector<scene::Preset> presets(const std::filesystem::path &file, const std::vector<std::string> &overrides)
     {
+      if (overrides.empty())
+        return {};
       const auto chosen = scene::peek_text(file, "integrator/type", overrides);
       if (!chosen || chosen == scene::peek_text(file, "integrator/type"))
         return {};

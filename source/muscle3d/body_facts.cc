@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace myolines
@@ -73,7 +72,7 @@ namespace myolines
       add("fascicles: ", ends[2], " lines along the fibres do not end, and are left out");
     if (lengths.empty())
       return lines;
-    const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.) / static_cast<double>(lengths.size());
+    const double mean = fascicles.mean_rest_length();
     add("fascicles: ", lengths.size(), " lines along the fibres, ", *std::min_element(lengths.begin(), lengths.end()), " to ",
         *std::max_element(lengths.begin(), lengths.end()), " m, mean ", mean, " m; ", ends[0], " ends at the surface, ", ends[1],
         " at another tissue");

@@ -5,11 +5,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace myolines
 {
   namespace
   {
+    /// How many things the ranks before this one have, and all together, of which this rank has @p own. Collective.
+    struct Share
+    {
+      std::size_t before = 0, total = 0;
+
+      Share(const std::size_t own, const MPI_Comm communicator)
+      {
+        const auto         counts = dealii::Utilities::MPI::all_gather(communicator, own);
+        const unsigned int rank   = dealii::Utilities::MPI::this_mpi_process(communicator);
+        before                    = std::accumulate(counts.begin(), counts.begin() + rank, std::size_t(0));
+        total                     = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+      }
+    };
+
     /// A point of a line on the rank that passed it: the line, its number along the line (negative on one side of the seed), and the nodes
     /// that move it.
     struct Passed
@@ -57,11 +72,7 @@ namespace myolines
       /// @p seeds: cells of this rank through whose centres lines go; the lines are numbered over all ranks in order.
       void trace(const std::vector<NodeSpace::Cell> &seeds)
       {
-        const std::vector<std::size_t> counts = dealii::Utilities::MPI::all_gather(d_.communicator, seeds.size());
-        const unsigned int             rank   = dealii::Utilities::MPI::this_mpi_process(d_.communicator);
-        std::size_t                    line   = 0;
-        for (unsigned int r = 0; r < rank; ++r)
-          line += counts[r];
+        std::size_t      line = Share(seeds.size(), d_.communicator).before;
         std::vector<Way> begun;
         for (const NodeSpace::Cell &cell : seeds)
           {
@@ -173,14 +184,7 @@ namespace myolines
     /// At most @p number of the cells of all ranks, evenly among them.
     std::vector<NodeSpace::Cell> choose(const std::vector<NodeSpace::Cell> &cells, const std::size_t number, const MPI_Comm communicator)
     {
-      std::size_t        before = 0, total = 0;
-      const unsigned int rank   = dealii::Utilities::MPI::this_mpi_process(communicator);
-      const auto         counts = dealii::Utilities::MPI::all_gather(communicator, cells.size());
-      for (unsigned int r = 0; r < counts.size(); ++r)
-        {
-          before += r < rank ? counts[r] : 0;
-          total += counts[r];
-        }
+      const auto [before, total]     = Share(cells.size(), communicator);
       const std::size_t            n = std::min(number, total);
       std::vector<NodeSpace::Cell> chosen;
       for (std::size_t i = 0; i < n; ++i)
@@ -297,8 +301,12 @@ namespace myolines
 
   Fascicles::~Fascicles() = default;
 
-  std::size_t                   Fascicles::size() const { return lines_->at_rest.size(); }
-  const std::vector<double>    &Fascicles::rest_lengths() const { return lines_->lengths; }
+  std::size_t                Fascicles::size() const { return lines_->at_rest.size(); }
+  const std::vector<double> &Fascicles::rest_lengths() const { return lines_->lengths; }
+  double                     Fascicles::mean_rest_length() const
+  {
+    return std::accumulate(lines_->lengths.begin(), lines_->lengths.end(), 0.) / static_cast<double>(size());
+  }
   std::array<std::size_t, 3>    Fascicles::ends() const { return lines_->ends; }
   std::vector<dealii::Point<3>> Fascicles::line(const std::size_t i) const { return lines_->at_rest.at(i); }
 
@@ -349,11 +357,7 @@ namespace myolines
     const bool                uniform = p.fields.direction[0].empty() && !p.fields.laplace && !p.fields.table;
     if (!p.geometry.mesh && uniform)
       return p.fibre_length();
-    constexpr unsigned int    enough = 100;
-    const std::vector<double> lengths(Fascicles(system, enough).rest_lengths());
-    double                    sum = 0;
-    for (const double length : lengths)
-      sum += length;
-    return sum / static_cast<double>(lengths.size());
+    constexpr unsigned int enough = 100;
+    return Fascicles(system, enough).mean_rest_length();
   }
 } // namespace myolines

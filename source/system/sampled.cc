@@ -80,51 +80,41 @@ namespace myolines
     return {t, x, {slopes.begin(), slopes.end() - 1}, {slopes.begin() + 1, slopes.end()}, true};
   }
 
-  bool SampledDrive::interval(const double t, const Side side, std::size_t &i) const
+  std::optional<SampledDrive::Place> SampledDrive::place(const double t, const Side side) const
   {
     const double tolerance = time_tolerance(std::max(std::abs(begin()), std::abs(end())));
     if (!has_begun(begin(), t, side, tolerance) || has_begun(end(), t, side, tolerance))
-      return false;
-    const double shifted = side == Side::right ? t + tolerance : t - tolerance;
-    const auto   next    = std::upper_bound(t_.begin() + 1, t_.end() - 1, shifted); // the intervals at both ends reach on
-    i                    = next - t_.begin() - 1;
-    return true;
+      return std::nullopt;
+    const double      shifted = side == Side::right ? t + tolerance : t - tolerance;
+    const auto        next    = std::upper_bound(t_.begin() + 1, t_.end() - 1, shifted); // the intervals at both ends reach on
+    const std::size_t i       = next - t_.begin() - 1;
+    const Cubic       c       = cubic(i);
+    return Place{c, (t - t_[i]) / c.h};
   }
 
   SampledDrive::Cubic SampledDrive::cubic(const std::size_t i) const
   {
     const double h = t_[i + 1] - t_[i], chord = (x_[i + 1] - x_[i]) / h, a = begin_slope_[i], b = end_slope_[i];
-    return {h, a, 3 * chord - 2 * a - b, a + b - 2 * chord};
+    return {h, x_[i], a, 3 * chord - 2 * a - b, a + b - 2 * chord};
   }
 
   double SampledDrive::value(const double t, const Side side) const
   {
-    std::size_t i = 0;
-    if (!interval(t, side, i))
-      return t <= begin() ? x_.front() : x_.back();
-    const Cubic  c = cubic(i);
-    const double s = (t - t_[i]) / c.h;
-    return x_[i] + c.h * s * (c.c1 + s * (c.c2 + s * c.c3));
+    if (const auto at = place(t, side))
+      return at->cubic.value(at->s);
+    return t <= begin() ? x_.front() : x_.back();
   }
 
   double SampledDrive::first_derivative(const double t, const Side side) const
   {
-    std::size_t i = 0;
-    if (!interval(t, side, i))
-      return 0;
-    const Cubic  c = cubic(i);
-    const double s = (t - t_[i]) / c.h;
-    return c.c1 + s * (2 * c.c2 + s * 3 * c.c3);
+    const auto at = place(t, side);
+    return at ? at->cubic.c1 + at->s * (2 * at->cubic.c2 + at->s * 3 * at->cubic.c3) : 0;
   }
 
   double SampledDrive::second_derivative(const double t, const Side side) const
   {
-    std::size_t i = 0;
-    if (!interval(t, side, i))
-      return 0;
-    const Cubic  c = cubic(i);
-    const double s = (t - t_[i]) / c.h;
-    return (2 * c.c2 + 6 * s * c.c3) / c.h;
+    const auto at = place(t, side);
+    return at ? (2 * at->cubic.c2 + 6 * at->s * at->cubic.c3) / at->cubic.h : 0;
   }
 
   std::vector<double> SampledDrive::kinks(const double t0, const double t1) const
@@ -162,7 +152,7 @@ namespace myolines
         const double q = -c.c2 - std::copysign(std::sqrt(root), c.c2);
         for (const double s : {q / (3 * c.c3), c.c1 / q})
           if (s > 0 && s < 1)
-            note(x_[i] + c.h * s * (c.c1 + s * (c.c2 + s * c.c3)));
+            note(c.value(s));
       }
     return all;
   }

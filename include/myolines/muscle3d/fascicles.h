@@ -40,6 +40,7 @@ namespace myolines
 
     std::size_t                   size() const;              ///< those that end nowhere are left out
     const std::vector<double>    &rest_lengths() const;      ///< [m]
+    double                        mean_rest_length() const;  ///< [m]; not a number without lines
     std::array<std::size_t, 3>    ends() const;              ///< how many ends are at surface, at tissue; and how many lines were left out
     std::vector<dealii::Point<3>> line(std::size_t i) const; ///< points at rest
 

@@ -2,6 +2,7 @@
 
 #include <myolines/system/drive.h>
 
+#include <optional>
 #include <vector>
 
 namespace myolines
@@ -46,15 +47,22 @@ namespace myolines
     /// Slopes at the begin and at the end of each interval.
     SampledDrive(std::vector<double> t, std::vector<double> x, std::vector<double> begin_slope, std::vector<double> end_slope, bool smooth);
 
-    /// x_i + h s (c1 + s (c2 + s c3)) with s from 0 to 1.
+    /// x + h s (c1 + s (c2 + s c3)) with s from 0 to 1 in an interval of length h.
     struct Cubic
     {
-      double h, c1, c2, c3;
+      double h, x, c1, c2, c3;
+
+      double value(const double s) const { return x + h * s * (c1 + s * (c2 + s * c3)); }
     };
     Cubic cubic(std::size_t i) const;
 
-    /// Number of the interval that holds @p t or ends (begins) there; none outside.
-    bool interval(double t, Side side, std::size_t &i) const;
+    /// Where @p t is in the interval that holds it, or that ends (begins) there; none outside.
+    struct Place
+    {
+      Cubic  cubic;
+      double s;
+    };
+    std::optional<Place> place(double t, Side side) const;
 
     std::vector<double> t_, x_, begin_slope_, end_slope_;
     bool                smooth_; ///< inside
