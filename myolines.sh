@@ -77,10 +77,11 @@ build_program() {
   cmake --build "$release" --target myolines --parallel "$(build_jobs)" >&2
 }
 
-# Release and Debug; the Debug unit tests appear as tests of the Release tree, so that one ctest tells all.
+# Release, and of Debug the tests in which assertions look on; they appear as tests of the Release tree, so that one
+# ctest tells all.
 build_all() {
   configure debug
-  cmake --build "$debug" --parallel "$(build_jobs)" >&2
+  cmake --build "$debug" --target assertions --parallel "$(build_jobs)" >&2
   configure release -DMYOLINES_DEBUG_BUILD="$debug"
   cmake --build "$release" --parallel "$(build_jobs)" >&2
 }

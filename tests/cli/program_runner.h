@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../support/loaded_program.h"
 #include "../support/places.h"
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <sys/wait.h>
 
@@ -52,13 +54,25 @@ struct Outcome
   std::string out, err;
 };
 
-/// Runs the program, built as the target `myolines`, with @p arguments in @p folder; @p before stands before it in the shell.
+/// Runs the program, built as the target `myolines`, with @p arguments in @p folder; @p before stands before it in the shell. A command
+/// that is words alone runs in a copy of the program that is loaded once.
 inline Outcome run_program(const TestFolder &folder, const std::string &arguments, const std::string &before = "")
 {
-  if (!std::filesystem::exists(myolines::test::program_file()))
-    throw std::runtime_error("build the target myolines first: " + myolines::test::program_file() + " is not there");
-  const std::string command = "cd '" + folder.path().string() + "' && " + before + " '" + myolines::test::program_file() + "' " +
-                              arguments + " > out.txt 2> err.txt < /dev/null";
-  const int status = std::system(command.c_str());
+  const std::vector<std::string> words = before.empty() ? myolines::test::shell_words(arguments) : std::vector<std::string>();
+  int                            status;
+  if (!words.empty())
+    {
+      static const myolines::test::LoadedProgram program;
+      status = program.run(folder.path(), words);
+    }
+  else
+    {
+      const std::string program = myolines::test::program_file();
+      if (!std::filesystem::exists(program))
+        throw std::runtime_error("build the target myolines first: " + program + " is not there");
+      status = std::system(
+          ("cd '" + folder.path().string() + "' && " + before + " '" + program + "' " + arguments + " > out.txt 2> err.txt < /dev/null")
+              .c_str());
+    }
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out.txt"), contents(folder / "err.txt")};
 }

@@ -4,6 +4,7 @@
 
 namespace myolines::test
 {
-  std::string source_folder(); ///< of this repository
-  std::string program_file();  ///< the program `myolines` of this build
+  std::string source_folder();       ///< of this repository
+  std::string program_file();        ///< the program `myolines` of this build
+  std::string loaded_program_file(); ///< see LoadedProgram
 } // namespace myolines::test

@@ -1,8 +1,8 @@
 // Requirement: `myolines compare` of real runs, and what it refuses.
 
 #include "../support/places.h"
-#include "../cli/program_runner.h"
-#include "../cli/small_scenes.h"
+#include "program_runner.h"
+#include "small_scenes.h"
 
 #include <gtest/gtest.h>
 
