@@ -6,6 +6,7 @@
 #include <myolines/muscle3d/body_facts.h>
 #include <myolines/muscle3d/muscle3d_system.h>
 #include <myolines/muscle3d/plausibility.h>
+#include <myolines/muscle3d/rigid_motions.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/outputs.h>
@@ -49,6 +50,23 @@ namespace myolines
       return files_among(drives);
     }
 
+    /// @p what needs a body that is held.
+    void refuse_free_motions(const Muscle3dSystem &body, const Node &node, const std::string &parameter, const std::string &what)
+    {
+      const FreeMotions free = free_motions(body.parameters(), body.discretisation());
+      if (free.any())
+        node.refuse(parameter, what + " needs a body that is held; nothing holds this one against " + free.words(),
+                    "boundary conditions or springs against all rigid motions, or a dynamic body that starts as given");
+    }
+
+    void require_equilibrium(const Muscle3dSystem &body, const Node &node, const std::string &parameter)
+    {
+      if (body.parameters().initial.displacement)
+        node.refuse(parameter, "the scene gives initial displacements, which an equilibrium would replace",
+                    "\"as given\", or no displacements in \"system/initial motion\"");
+      refuse_free_motions(body, node, parameter, "an equilibrium");
+    }
+
     AssembledSystem make_muscle3d(const Node &node, WorkLedger &ledger)
     {
       auto                     system     = std::make_unique<Muscle3dSystem>(read_muscle3d(node), MPI_COMM_WORLD, ledger);
@@ -61,7 +79,11 @@ namespace myolines
       assembled.plan                = std::move(plan);
       assembled.files               = files_of(parameters);
       assembled.warnings            = implausible_values(parameters);
-      assembled.measure             = [&body = dynamic_cast<const Muscle3dSystem &>(*assembled.system)] { return body_facts(body); };
+      const auto &body              = dynamic_cast<const Muscle3dSystem &>(*assembled.system);
+      if (!parameters.dynamic)
+        refuse_free_motions(body, node, "inertia", "a quasi-static system");
+      assembled.require_equilibrium = [&body](const Node &time, const std::string &parameter) { require_equilibrium(body, time, parameter); };
+      assembled.measure             = [&body] { return body_facts(body); };
       if (!why_no_line.empty())
         assembled.warnings.push_back(
             "there is no line of action: " + why_no_line +

@@ -71,6 +71,8 @@ namespace myolines
       file->require(settings_.start, settings_.end);
     refuse_ignored_inertia();
     refuse_tiny_steps();
+    if (const scene::Node &time = scene_.section("time"); starts_from_equilibrium(time) && assembled_.require_equilibrium)
+      assembled_.require_equilibrium(time, "start state");
     solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
                                       *assembled_.system->make_linearisation(), assembled_.system->n_unknowns(),
                                       assembled_.system->capabilities().linear);

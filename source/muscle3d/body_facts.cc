@@ -2,6 +2,7 @@
 
 #include <myolines/muscle3d/body_facts.h>
 #include <myolines/muscle3d/fascicles.h>
+#include <myolines/muscle3d/rigid_motions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +34,7 @@ namespace myolines
 
     Totals add_up(const Muscle3dSystem &system)
     {
-      State still = system.initial_state(0);
-      still.u     = 0;
+      const State still = system.still_state();
       Totals t;
       PointStates(system, still).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
         t.volume += p.JxW;
@@ -60,6 +60,8 @@ namespace myolines
       lines.push_back(text.str());
     };
     const Totals t = add_up(system);
+    if (const FreeMotions free = free_motions(system.parameters(), system.discretisation()); free.any())
+      add("free: nothing holds the body against ", free.words());
     add("body: ", t.volume, " m^3, ", t.mass, " kg; muscle: ", t.muscle, " m^3");
     if (!(t.muscle > 0))
       return lines;

@@ -213,8 +213,7 @@ namespace myolines
     const std::optional<LineOfAction> &line = system.line_of_action().line;
     if (!line || line->thickness)
       return line ? line->thickness : std::nullopt;
-    State still = system.initial_state(0);
-    still.u     = 0;
+    const State still = system.still_state();
     const Element                &element = system.discretisation().element;
     dealii::SymmetricTensor<2, 3> leaning; // int b (x) b over the slab, b the part of the fibre direction across the line
     double                        volume = 0;

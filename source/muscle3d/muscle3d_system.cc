@@ -78,9 +78,17 @@ namespace myolines
 
   std::size_t Muscle3dSystem::n_cells() const { return discretisation_->mesh.n_global_active_cells(); }
 
+  State Muscle3dSystem::still_state() const
+  {
+    const Vector zero = discretisation_->space->make_vector();
+    return {0, zero, zero, zero};
+  }
+
   State Muscle3dSystem::initial_state(const double t0) const
   {
-    State state{t0, discretisation_->space->make_vector(), discretisation_->space->make_vector(), discretisation_->space->make_vector()};
+    State state = still_state();
+    state.t     = t0;
+    set_initial_motion(parameters_.initial, *discretisation_->space, state);
     prescribed(t0, Side::right, state);
     return state;
   }

@@ -153,7 +153,8 @@ namespace myolines
         .optional_section("fields", fields_schema())
         .section("boundary", boundary_schema())
         .optional_section("line of action", line_of_action_schema())
-        .optional_section("body force", force);
+        .optional_section("body force", force)
+        .optional_section("initial motion", initial_motion_schema());
     add_activation(system);
     return system;
   }
@@ -191,6 +192,8 @@ namespace myolines
     read_activation(system, p);
     if (system.has("body force"))
       p.body_force = read_formulas(system.section("body force"), "");
+    if (system.has("initial motion"))
+      p.initial = read_initial_motion(system.section("initial motion"), p.dynamic);
     return p;
   }
 } // namespace myolines

@@ -39,6 +39,8 @@ namespace myolines
           .boolean("gearing", false, "gearing.csv: G of (7.2.13) at every row; dynamic systems only.")
           .boolean("shape", false,
                    "shape.csv: width and thickness of the slab, length along the line of action, volume over that at rest.")
+          .boolean("momenta", false,
+                   "momenta.csv: centre of mass, momentum, and angular momentum about the centre of mass; dynamic systems only.")
           .boolean("activation and length", true, "activation_muscle_length-3d.csv.")
           .choice("slab", "quadrature points", {"quadrature points", "whole cells"},
                   "Points of the slab averages, from 3/8 to 5/8 of the line of action: by quadrature point (6.2.20), or by cell centre as "
@@ -74,8 +76,9 @@ namespace myolines
                                                         const EnergyBalance *balance)
     {
       const Muscle3dParameters &p = system.parameters();
-      if (series.boolean("gearing") && !p.dynamic)
-        series.refuse("gearing", "a quasi-static system has no velocities", "false, or \"dynamic\" as system/inertia");
+      for (const char *of_velocities : {"gearing", "momenta"})
+        if (series.boolean(of_velocities) && !p.dynamic)
+          series.refuse(of_velocities, "a quasi-static system has no velocities", "false, or \"dynamic\" as system/inertia");
 
       const bool                               line = system.line_of_action().line.has_value();
       std::vector<std::unique_ptr<SeriesFile>> files;
@@ -110,6 +113,8 @@ namespace myolines
         }
       if (series.boolean("activation and length"))
         files.push_back(activation_file(folder, system));
+      if (series.boolean("momenta"))
+        files.push_back(momenta_file(folder));
       if (const int number = series.integer("fascicles"); number > 0)
         files.push_back(fascicles_file(folder, system, number));
       if (const std::vector<double> places = read_strain_places(series); !places.empty())

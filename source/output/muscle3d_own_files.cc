@@ -87,8 +87,7 @@ namespace myolines
 
   std::unique_ptr<SeriesFile> shape_file(const OutputFolder &folder, const Muscle3dSystem &system, const dealii::Tensor<1, 3> &thickness)
   {
-    State still       = system.initial_state(0);
-    still.u           = 0;
+    const State still = system.still_state();
     const double rest = measure_body(system, still, SlabRule::quadrature_points).volume;
     return make_series_file(
         folder, "shape.csv", {"Time [s]", "Muscle length [m]", "Width [m]", "Thickness [m]", "Volume ratio"},
@@ -96,6 +95,21 @@ namespace myolines
           const MiddleSize middle = measure_middle(sample.system(), sample.state(), thickness);
           return std::vector<double>{sample.t(), sample.muscle_length(), middle.width, middle.thickness, sample.body().volume / rest};
         });
+  }
+
+  std::unique_ptr<SeriesFile> momenta_file(const OutputFolder &folder)
+  {
+    std::vector<std::string> columns{"Time [s]"};
+    for (const auto &[name, unit] : {std::pair{"Centre of mass ", " [m]"}, {"Momentum ", " [kg m/s]"}, {"Angular momentum ", " [kg m^2/s]"}})
+      for (const char *axis : {"x", "y", "z"})
+        columns.push_back(name + std::string(axis) + unit);
+    return make_series_file(folder, "momenta.csv", columns, [](const Muscle3dSample &sample) {
+      const Momenta       m = measure_momenta(sample.system(), sample.state());
+      std::vector<double> row{sample.t()};
+      for (const auto *vector : {&m.centre, &m.momentum, &m.angular_momentum})
+        row.insert(row.end(), {(*vector)[0], (*vector)[1], (*vector)[2]});
+      return row;
+    });
   }
 
   std::unique_ptr<SeriesFile> fascicles_file(const OutputFolder &folder, const Muscle3dSystem &system, const unsigned int number)

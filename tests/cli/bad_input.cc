@@ -31,7 +31,18 @@ namespace
     return {name, o, "", "", message, arguments};
   }
 
+  const std::string free = "check scene.xml --unset \"system/boundary/moving end\" --unset \"system/boundary/fixed end\" ";
+  const std::string push = "--set \"system/initial motion/displacement x=0.1*x\" ";
+
   const std::vector<BadInput> bad_inputs{
+      {"free_in_equilibrium", m, "", "", "nothing holds this one against 3 translations and 3 rotations",
+       free + "--set \"time/start state=equilibrium\""},
+      {"free_without_inertia", m, "", "", "system/inertia: a quasi-static system needs a body that is held",
+       free + "--set integrator/type=static --set system/inertia=quasi-static"},
+      {"displaced_and_in_equilibrium", m, "", "", "which an equilibrium would replace",
+       "check scene.xml " + push + "--set \"time/start state=equilibrium\""},
+      {"velocity_without_inertia", m, "", "", "a body without inertia has no initial velocity",
+       "check scene.xml --set \"system/initial motion/velocity y=0.1*x\" --set integrator/type=static --set system/inertia=quasi-static"},
       {"unknown_system", o, "\"oscillator\"", "\"ocillator\"", "nearest valid name: \"oscillator\""},
       {"missing_system", o, R"(<Parameter name="type" type="string" value="oscillator"/>)", "", "system/type"},
       {"unknown_integrator", o, "\"backward euler\"", "\"forward euler\"", "nearest valid name: \"backward euler\""},

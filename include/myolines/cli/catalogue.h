@@ -29,6 +29,9 @@ namespace myolines
 
     std::vector<const FileDrive *> files; ///< that drive the system
 
+    /// Throws an InputError at the place it gets where the system has no equilibrium to start from; empty: it always has.
+    std::function<void(const scene::Node &time, const std::string &parameter)> require_equilibrium;
+
     std::function<std::vector<std::string>()> measure; ///< more lines, which take work; none where there are none
   };
 

@@ -92,6 +92,17 @@ namespace myolines
   };
   BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule, Side side = Side::left);
 
+  /// Of the whole body in motion.
+  struct Momenta
+  {
+    double               mass = 0;        ///< [kg]
+    dealii::Tensor<1, 3> centre;          ///< of mass, deformed [m]
+    dealii::Tensor<1, 3> momentum;        ///< int rho v [kg m/s]
+    dealii::Tensor<1, 3> angular_momentum; ///< int rho (x - centre) x v, about the centre of mass [kg m^2/s]
+  };
+  /// Density is per reference volume. Collective.
+  Momenta measure_momenta(const Muscle3dSystem &system, const State &state);
+
   /// Size of the middle of the body: how far the nodes of the slab reach across the line of action [m].
   struct MiddleSize
   {

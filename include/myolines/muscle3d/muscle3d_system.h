@@ -63,6 +63,9 @@ namespace myolines
     /// Moves every vertex of the reference mesh by @p map; states and implicit parts made before are void.
     void move_mesh(const std::function<dealii::Point<3>(const dealii::Point<3> &)> &map);
 
+    /// The body as its mesh has it, at rest, without regard to boundary conditions.
+    State still_state() const;
+
     /// Lines for `check`: terms that will be computed and terms that are skipped, each with why.
     std::vector<std::string> plan() const;
 

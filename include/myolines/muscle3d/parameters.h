@@ -4,6 +4,7 @@
 #include <myolines/materials/tissue.h>
 #include <myolines/muscle3d/body_fields.h>
 #include <myolines/muscle3d/boundary.h>
+#include <myolines/muscle3d/initial_motion.h>
 #include <myolines/muscle3d/line_of_action.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/drive.h>
@@ -34,6 +35,7 @@ namespace myolines
     std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}}; ///< of the cells, by material id
     BodyFields                                fields;
     std::vector<BoundaryCondition>            boundary;
+    InitialMotion                             initial;
     LineGiven                                 line;       ///< of action, what the scene says of it
     std::shared_ptr<const CurveSet>           curves;     ///< nullptr: those of the thesis
     std::shared_ptr<const Drive>              activation; ///< of all but the regions; nullptr: none

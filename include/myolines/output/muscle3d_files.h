@@ -47,6 +47,7 @@ namespace myolines
 
   /// fascicles.csv: mean, least and greatest length of Fascicles, means of their stretch, velocity and curvature and, where there is a line
   /// of action, of their angle to it.
+  std::unique_ptr<SeriesFile> momenta_file(const OutputFolder &folder);
   std::unique_ptr<SeriesFile> fascicles_file(const OutputFolder &folder, const Muscle3dSystem &system, unsigned int number);
 
   /// energy_balance.csv: energies, and works and drift as @p balance has them when a row is written; borrowed.

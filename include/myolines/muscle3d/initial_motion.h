@@ -1,0 +1,27 @@
+#pragma once
+
+#include <myolines/fem/node_space.h>
+#include <myolines/scene/scene.h>
+#include <myolines/system/point.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace myolines
+{
+  /// Where the body is and how it moves at the initial time, as far as boundary conditions do not say it: formulas of the place at rest,
+  /// interpolated at the nodes.
+  struct InitialMotion
+  {
+    std::optional<std::array<std::string, 3>> displacement, velocity; ///< [m], [m/s], of x, y, z, t; nullopt: 0
+  };
+
+  /// Declaration of the list `initial motion`, and its reading. @throws InputError for malformed formulas, and for velocities of a body
+  /// without inertia.
+  scene::Schema initial_motion_schema();
+  InitialMotion read_initial_motion(const scene::Node &node, bool dynamic);
+
+  /// u and v of the nodes of this rank at time state.t.
+  void set_initial_motion(const InitialMotion &motion, const NodeSpace &space, State &state);
+} // namespace myolines

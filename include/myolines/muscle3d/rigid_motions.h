@@ -1,0 +1,20 @@
+#pragma once
+
+#include <myolines/muscle3d/discretisation.h>
+
+#include <string>
+
+namespace myolines
+{
+  /// Rigid motions of a body that no boundary condition and no spring at a face resists: without inertia nothing says where the body is.
+  struct FreeMotions
+  {
+    unsigned int translations = 0, rotations = 0; ///< linearly independent ones, 0..3
+
+    bool        any() const { return translations + rotations > 0; }
+    std::string words() const; ///< such as "1 translation and 2 rotations"
+  };
+
+  /// Collective. Conditions count as they hold at rest; a stop, a slack tendon and a foundation count as springs that act.
+  FreeMotions free_motions(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation);
+} // namespace myolines

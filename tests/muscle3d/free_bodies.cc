@@ -1,0 +1,152 @@
+// Requirement: bodies that nothing holds, and that move from the beginning.
+
+#include "simulation.h"
+
+#include <myolines/muscle3d/rigid_motions.h>
+
+#include <gtest/gtest.h>
+
+namespace myolines
+{
+  namespace
+  {
+    using Type = BoundaryCondition::Type;
+
+    Muscle3dParameters passive_block()
+    {
+      Muscle3dParameters p = test::small_block(2, 4, 0);
+      p.geometry.cells     = {{2, 1, 1}};
+      p.activation         = nullptr;
+      return p;
+    }
+
+    BoundaryCondition condition(const Type type, const unsigned int face)
+    {
+      BoundaryCondition c;
+      c.name = "condition " + std::to_string(face);
+      c.type = type;
+      c.face = face;
+      if (type != Type::fixed)
+        c.components = {{false, false, false}};
+      return c;
+    }
+
+    BoundaryCondition springs(const double stiffness, const double normal_stiffness)
+    {
+      BoundaryCondition c = condition(Type::foundation, 0);
+      c.stiffness         = stiffness;
+      c.normal_stiffness  = normal_stiffness;
+      return c;
+    }
+
+    /// Free translations and rotations.
+    std::pair<unsigned int, unsigned int> free_with(const std::vector<BoundaryCondition> &conditions)
+    {
+      Muscle3dParameters p = passive_block();
+      p.boundary           = conditions;
+      const Muscle3dDiscretisation d(p, MPI_COMM_WORLD);
+      const FreeMotions            free = free_motions(p, d);
+      return {free.translations, free.rotations};
+    }
+
+    using Numbers = std::pair<unsigned int, unsigned int>;
+
+    TEST(FreeMotions, AreThoseThatNothingResists)
+    {
+      EXPECT_EQ(free_with({}), Numbers(3, 3));
+      EXPECT_EQ(free_with({condition(Type::fixed, 0)}), Numbers(0, 0));
+      EXPECT_EQ(free_with({condition(Type::symmetry, 0)}), Numbers(2, 1));
+      EXPECT_EQ(free_with({condition(Type::symmetry, 0), condition(Type::symmetry, 2)}), Numbers(1, 0));
+      EXPECT_EQ(free_with({condition(Type::isotonic, 1)}), Numbers(3, 1)); // the face stays a plane across x
+      EXPECT_EQ(free_with({springs(1, 0)}), Numbers(0, 0));
+      EXPECT_EQ(free_with({springs(0, 1)}), Numbers(2, 1));
+      EXPECT_EQ(free_with({condition(Type::pressure, 1)}), Numbers(3, 3));
+      BoundaryCondition lengthwise = condition(Type::fixed, 0);
+      lengthwise.components        = {{true, false, false}};
+      EXPECT_EQ(free_with({lengthwise}), Numbers(2, 1));
+    }
+
+    constexpr double density = 1060;
+
+    TEST(FreeBodies, FlyStraight)
+    {
+      Muscle3dParameters p = passive_block();
+      p.initial.velocity   = std::array<std::string, 3>{{"0.3", "-0.2", "0.1"}};
+      const dealii::Tensor<1, 3> v({0.3, -0.2, 0.1});
+      for (const char *method : {"newmark", "sdirk3", "generalized alpha"})
+        {
+          test::Simulation run(p);
+          const Momenta    first  = measure_momenta(run.system, run.state);
+          const double     volume = p.geometry.size[0] * p.geometry.size[1] * p.geometry.size[2];
+          EXPECT_NEAR(first.mass, density * volume, 1e-12 * first.mass);
+          EXPECT_NEAR((first.momentum - first.mass * v).norm(), 0, 1e-14);
+          run.go(method, 4, 0.02, [&](const State &state) {
+            const Momenta now = measure_momenta(run.system, state);
+            EXPECT_NEAR((now.momentum - first.momentum).norm(), 0, 1e-9 * first.momentum.norm()) << method;
+            EXPECT_NEAR((now.centre - first.centre - state.t * v).norm(), 0, 1e-9 * p.geometry.size[0]) << method;
+          });
+        }
+    }
+
+    /// Spin about z through the middle, w = 5 1/s.
+    Muscle3dParameters spinning_block()
+    {
+      Muscle3dParameters p           = passive_block();
+      const auto         from_middle = [&](const unsigned int c, const char *axis) {
+        return "(" + std::string(axis) + " - " + std::to_string(p.geometry.size[c] / 2) + ")";
+      };
+      p.initial.velocity = std::array<std::string, 3>{{"-5*" + from_middle(1, "y"), "5*" + from_middle(0, "x"), "0"}};
+      return p;
+    }
+
+    TEST(FreeBodies, SpinWithTheInertiaOfABlock)
+    {
+      const Muscle3dParameters p = spinning_block();
+      test::Simulation         run(p);
+      const Momenta            m      = measure_momenta(run.system, run.state);
+      const double             square = p.geometry.size[0] * p.geometry.size[0] + p.geometry.size[1] * p.geometry.size[1];
+      EXPECT_NEAR(m.angular_momentum[2], m.mass * square / 12 * 5, 1e-9 * m.angular_momentum.norm());
+      EXPECT_NEAR(m.momentum.norm(), 0, 1e-12);
+    }
+
+    TEST(FreeBodies, AreSolvedByEveryPreconditionerAlike)
+    {
+      const Muscle3dParameters p   = spinning_block();
+      const auto               end = [&](const char *preconditioner) {
+        testing::Solvers solvers({"relative tolerance=1e-10"}, {}, {preconditioner});
+        Muscle3dSystem   system(p, MPI_COMM_WORLD, solvers.ledger);
+        State            state = system.initial_state(0);
+        const auto      &entry = integrator_entry("newmark");
+        const auto integrator = entry.make(testing::node(entry.schema), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
+        integrator->start(state);
+        for (unsigned int i = 0; i < 3; ++i)
+          EXPECT_TRUE(integrator->step(5e-3, state).accepted()) << preconditioner;
+        return state.u;
+      };
+      const Vector direct = end("type=direct");
+      Vector       other  = end("type=p multigrid");
+      other -= direct;
+      EXPECT_LT(other.l2_norm(), 1e-7 * direct.l2_norm());
+    }
+
+    TEST(InitialMotion, IsThatOfTheFormulasWhereNothingIsPrescribed)
+    {
+      Muscle3dParameters p   = passive_block();
+      p.boundary             = {condition(Type::fixed, 0)};
+      p.initial.displacement = std::array<std::string, 3>{{"0.1*x", "0.02*z", "1e-4"}};
+      WorkLedger           ledger;
+      const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
+      const State          state = system.initial_state(0);
+      const NodeSpace     &space = *system.discretisation().space;
+      for (const auto node : space.nodes().locally_owned_dofs())
+        {
+          const dealii::Point<3> &x    = space.node_position(node);
+          const bool              held = x[0] < 1e-12;
+          EXPECT_DOUBLE_EQ(state.u(3 * node), held ? 0 : 0.1 * x[0]);
+          EXPECT_DOUBLE_EQ(state.u(3 * node + 1), held ? 0 : 0.02 * x[2]);
+          EXPECT_DOUBLE_EQ(state.u(3 * node + 2), held ? 0 : 1e-4);
+        }
+      EXPECT_EQ(state.v.linfty_norm(), 0);
+    }
+  } // namespace
+} // namespace myolines
