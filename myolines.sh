@@ -11,7 +11,9 @@ packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundia
           gnuplot-nox python3)
 
 # MPI starts as root and with more ranks than cores (containers); one thread per rank, or the ranks fight for cores.
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+# Open MPI 5 reads another name than 4 for the latter.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 usage() {

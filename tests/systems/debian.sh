@@ -27,7 +27,7 @@ shift $(($# > 3 ? 3 : $#))
 step=start
 finish() {
   local status=$?
-  for place in ccache dev proc; do
+  for place in ccache dev/shm dev sys proc; do
     mountpoint -q "$root/$place" && umount "$root/$place"
   done
   [ $status -eq 0 ] && echo "Debian: everything works" || echo "Debian: failed at: $step" >&2
@@ -43,7 +43,9 @@ begin() {
 # inside COMMAND: of a shell in the new system, with nothing of the environment of this one.
 inside() {
   chroot "$root" /usr/bin/env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
-    DEBIAN_FRONTEND=noninteractive ${CCACHE_DIR:+CCACHE_DIR=/ccache} bash -euo pipefail -c "$1"
+    DEBIAN_FRONTEND=noninteractive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
+    OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe ${CCACHE_DIR:+CCACHE_DIR=/ccache} \
+    bash -euo pipefail -c "$1"
 }
 
 begin "an empty Debian $1 in $root"
@@ -53,8 +55,9 @@ if [ ! -e "$root/etc/debian_version" ]; then
     exit 1
   }
 fi
-mount --bind /proc "$root/proc"
-mount --bind /dev "$root/dev"
+for place in proc sys dev dev/shm; do # MPI reads the processors in one, and talks through the last
+  mount --bind "/$place" "$root/$place"
+done
 if [ -n "${CCACHE_DIR:-}" ]; then
   mkdir -p "$root/ccache"
   mount --bind "$CCACHE_DIR" "$root/ccache"
@@ -86,8 +89,7 @@ inside "
   for scene in /usr/share/myolines/input/*.xml; do myolines check \$scene >/dev/null || { echo \"refused: \$scene\"; exit 1; }; done
   myolines run /usr/share/myolines/input/oscillator.xml --quiet --out oscillator
   myolines plot oscillator >/dev/null && ls oscillator/pictures | grep -q svg
-  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-  mpirun --oversubscribe -np 2 myolines run /usr/share/myolines/input/isometric_block.xml --quiet --out block --set system/geometry/refinement=1
+  mpirun -np 2 myolines run /usr/share/myolines/input/isometric_block.xml --quiet --out block --set system/geometry/refinement=1
   grep '\"ranks\": 2' block/manifest.json"
 
 begin "a project that uses the library"
