@@ -47,7 +47,7 @@ install(FILES ${CMAKE_BINARY_DIR}/MyolinesConfig.cmake ${CMAKE_BINARY_DIR}/Myoli
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Myolines developers")
-set(CPACK_PACKAGE_CONTACT "The Myolines developers <myolines@localhost>")
+set(CPACK_PACKAGE_CONTACT "The Myolines developers <maintainers@myolines.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "muscle dynamics by the method of lines")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
