@@ -11,16 +11,21 @@ packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundia
           gnuplot-nox python3)
 
 # MPI starts as root and with more ranks than cores (containers); one thread per rank, or the ranks fight for cores.
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+# Open MPI 5 reads another name than 4 for the latter.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 usage() {
   cat <<'TEXT'
 usage: ./myolines.sh run SCENE [ARGUMENTS]   build the program if need be and run a scene (arguments: myolines run --help)
+       ./myolines.sh check SCENE, plot FOLDER, study STUDY, ...
+                                             the same with any other command of the program (myolines --help)
        ./myolines.sh test [ARGUMENTS]        build everything, run all tests (arguments go to ctest: -R NAME, -L LABEL, ...)
        ./myolines.sh build                   build the program only: build/release/myolines
+       ./myolines.sh package                 build the Debian packages of program and library: build/release/*.deb
        ./myolines.sh install                 install the Debian packages that are missing
-       ./myolines.sh --help
+       ./myolines.sh --help | --version
 
 Missing Debian packages are installed by every command when it runs as root; otherwise they are named (exit code 2).
 TEXT
@@ -88,16 +93,6 @@ build_all() {
 
 command=${1:-}
 case "$command" in
-  run)
-    shift
-    if [ $# -eq 0 ]; then
-      usage >&2
-      exit 2
-    fi
-    install_packages
-    build_program
-    exec "$release/myolines" run "$@"
-    ;;
   test)
     shift
     install_packages
@@ -109,15 +104,27 @@ case "$command" in
     build_program
     echo "$release/myolines"
     ;;
+  package)
+    packages+=(dpkg-dev file)
+    install_packages
+    build_program
+    cmake --build "$release" --target myolines_library --parallel "$(build_jobs)" >&2
+    (cd "$release" && cpack -G DEB) >&2
+    ls "$release"/*.deb
+    ;;
   install)
     install_packages
     ;;
   -h | --help | help)
     usage
     ;;
-  *)
-    [ -n "$command" ] && echo "unknown command: $command" >&2
+  "")
     usage >&2
     exit 2
+    ;;
+  *) # of the program, which names its commands if this is none of them
+    install_packages
+    build_program
+    exec "$release/myolines" "$@"
     ;;
 esac

@@ -58,7 +58,7 @@ namespace myolines
       void begin(const double t, const double first_step) override
       {
         memory_ = system_->begin(t, y());
-        require_success(ARKStepSetErrHandlerFn(memory_, note_error, static_cast<SundialsIntegrator *>(this)), "ARKStepSetErrHandlerFn");
+        require_success(MYOLINES_KEEP_SUNDIALS_ERRORS(ARKStep, memory_, sundials(), message()), "to keep errors");
         ARKStepSetInitStep(memory_, first_step);
         ARKStepSetMinStep(memory_, limits().minimum_step);
         if (std::isfinite(limits().maximum_step))
@@ -211,11 +211,7 @@ namespace myolines
       {
         memory_               = system_->begin(t, y_.get());
         steps_since_estimate_ = 0;
-        require_success(ARKStepSetErrHandlerFn(
-                            memory_,
-                            [](int, const char *, const char *, char *text, void *self) { *static_cast<std::string *>(self) = text; },
-                            &message_),
-                        "ARKStepSetErrHandlerFn");
+        require_success(MYOLINES_KEEP_SUNDIALS_ERRORS(ARKStep, memory_, *sundials_, message_), "to keep errors");
       }
 
       /// Whether the state is where the last step ended.

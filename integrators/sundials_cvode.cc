@@ -71,7 +71,7 @@ namespace myolines
       void create(const double t)
       {
         memory_ = CVodeCreate(choices_.adams ? CV_ADAMS : CV_BDF, sundials());
-        require_success(CVodeSetErrHandlerFn(memory_, note_error, static_cast<SundialsIntegrator *>(this)), "CVodeSetErrHandlerFn");
+        require_success(MYOLINES_KEEP_SUNDIALS_ERRORS(CVode, memory_, sundials(), message()), "to keep errors");
         require_success(CVodeInit(memory_, right_hand_side, t, y()), "CVodeInit");
         CVodeSetUserData(memory_, this);
         CVodeWFtolerances(memory_, [](N_Vector y, N_Vector weights, void *self) {

@@ -57,7 +57,7 @@ namespace myolines
       void create(const double t)
       {
         memory_ = IDACreate(sundials());
-        require_success(IDASetErrHandlerFn(memory_, note_error, static_cast<SundialsIntegrator *>(this)), "IDASetErrHandlerFn");
+        require_success(MYOLINES_KEEP_SUNDIALS_ERRORS(IDA, memory_, sundials(), message()), "to keep errors");
         require_success(IDAInit(memory_, residual, t, y(), dy()), "IDAInit");
         IDASetUserData(memory_, this);
         IDAWFtolerances(memory_, [](N_Vector y, N_Vector weights, void *self) {

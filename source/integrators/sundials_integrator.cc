@@ -126,11 +126,6 @@ namespace myolines
     return N_VWrmsNorm(error, weights_.get());
   }
 
-  void SundialsIntegrator::note_error(int, const char *, const char *, char *text, void *self)
-  {
-    static_cast<SundialsIntegrator *>(self)->message_ = text;
-  }
-
   void require_first_order_form(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
   {
     require_fitting_system(facts, integrator, context);

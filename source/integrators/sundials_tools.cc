@@ -1,10 +1,12 @@
 #include <myolines/integrators/sundials_tools.h>
+#include <myolines/integrators/sundials_versions.h>
 #include <myolines/time/error_norm.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <nvector/nvector_parallel.h>
 #include <nvector/nvector_serial.h>
+#include <sundials/sundials_version.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -14,7 +16,7 @@ namespace myolines
   SundialsContext::SundialsContext(const MPI_Comm communicator)
     : communicator_(communicator)
   {
-    require_success(SUNContext_Create(&communicator_, &context_), "SUNContext_Create");
+    require_success(create_sundials_context(communicator_, context_), "SUNContext_Create");
   }
 
   SundialsVector make_sundials_vector(const FirstOrderForm &form, const SUNContext context)
@@ -39,8 +41,8 @@ namespace myolines
       matrix->ops->getid   = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
       matrix->ops->clone   = [](SUNMatrix other) { return new_matrix(other->sunctx, other->content); };
       matrix->ops->destroy = SUNMatFreeEmpty;
-      matrix->ops->zero    = [](SUNMatrix) { return SUNMAT_SUCCESS; };
-      matrix->ops->copy    = [](SUNMatrix, SUNMatrix) { return SUNMAT_SUCCESS; };
+      matrix->ops->zero    = [](SUNMatrix) { return 0; };
+      matrix->ops->copy    = [](SUNMatrix, SUNMatrix) { return 0; };
       matrix->ops->matvec  = [](SUNMatrix a, N_Vector x, N_Vector y) { return apply(map_of(a->content), x, y); };
       return matrix;
     }
@@ -55,11 +57,11 @@ namespace myolines
     solver_->content      = &solve_;
     solver_->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
     solver_->ops->getid   = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
-    solver_->ops->setup   = [](SUNLinearSolver, SUNMatrix) { return SUNLS_SUCCESS; };
-    solver_->ops->solve   = [](SUNLinearSolver s, SUNMatrix, N_Vector x, N_Vector b, realtype) { return apply(map_of(s->content), b, x); };
-    solver_->ops->free    = [](SUNLinearSolver s) {
+    solver_->ops->setup   = [](SUNLinearSolver, SUNMatrix) { return 0; };
+    solver_->ops->solve = [](SUNLinearSolver s, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) { return apply(map_of(s->content), b, x); };
+    solver_->ops->free  = [](SUNLinearSolver s) {
       SUNLinSolFreeEmpty(s);
-      return SUNLS_SUCCESS;
+      return 0;
     };
   }
 
@@ -82,6 +84,12 @@ namespace myolines
     };
     fill(&tolerances.displacement, y, weights);
     fill(tolerances.velocity ? &*tolerances.velocity : nullptr, y + n, weights + n);
+  }
+
+  std::string sundials_version()
+  {
+    char text[64];
+    return SUNDIALSGetVersion(text, sizeof(text)) == 0 ? text : "unknown";
   }
 
   void require_success(const int flag, const char *call)

@@ -4,7 +4,6 @@
 #include <myolines/output/text_file.h>
 #include <myolines/output/version.h>
 
-#include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>
 
 #include <nlohmann/json.hpp>
@@ -17,21 +16,6 @@ namespace myolines
   namespace
   {
     using Json = nlohmann::ordered_json;
-
-    std::string trilinos_version()
-    {
-      return std::to_string(DEAL_II_TRILINOS_VERSION_MAJOR) + "." + std::to_string(DEAL_II_TRILINOS_VERSION_MINOR) + "." +
-             std::to_string(DEAL_II_TRILINOS_VERSION_SUBMINOR);
-    }
-
-    std::string mpi_version()
-    {
-      char text[MPI_MAX_LIBRARY_VERSION_STRING];
-      int  length = 0;
-      MPI_Get_library_version(text, &length);
-      const std::string all(text, length);
-      return all.substr(0, all.find_first_of(",\n"));
-    }
 
     /// The kernel's name of the first processor; null where it gives none (not all architectures do).
     Json cpu_model()
@@ -59,6 +43,14 @@ namespace myolines
               {"exchanged [J]", energy.exchanged},
               {"largest gain", gain(energy.rise)},
               {"largest gain in one step", gain(energy.jump)}};
+    }
+
+    Json json_object(const Versions &versions)
+    {
+      Json json;
+      for (const auto &[name, version] : versions)
+        json[name] = version;
+      return json;
     }
 
     /// Command lines may hold bytes that are no text.
@@ -94,16 +86,12 @@ namespace myolines
   {
     const std::filesystem::path file = folder.file("manifest.json");
     Json                        manifest;
-    manifest["program"]  = "myolines";
-    manifest["version"]  = version;
-    manifest["git hash"] = *git_hash == '\0' ? Json(nullptr) : Json(git_hash);
-#ifdef DEBUG
-    manifest["build"] = "Debug";
-#else
-    manifest["build"] = "Release";
-#endif
+    manifest["program"]      = "myolines";
+    manifest["version"]      = version;
+    manifest["git hash"]     = *git_hash == '\0' ? Json(nullptr) : Json(git_hash);
+    manifest["build"]        = build_type();
     manifest["compiler"]     = __VERSION__;
-    manifest["libraries"]    = {{"deal.II", DEAL_II_PACKAGE_VERSION}, {"Trilinos", trilinos_version()}, {"MPI", mpi_version()}};
+    manifest["libraries"]    = json_object(library_versions());
     manifest["ranks"]        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     manifest["host"]         = {{"name", host_name()}, {"CPU", cpu_model()}, {"hardware threads", std::thread::hardware_concurrency()}};
     manifest["command line"] = record.command_line;

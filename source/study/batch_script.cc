@@ -61,14 +61,14 @@ namespace myolines::study
            "  part=$((OMPI_COMM_WORLD_RANK / " +
            ranks +
            " + 1))\n"
-           "  for name in ${!OMPI_*} ${!PMIX_*} ${!ORTE_*} ${!SLURM_*}; do # a program of its own, on this node\n"
+           "  for name in ${!OMPI_*} ${!PMIX_*} ${!ORTE_*} ${!PRTE_*} ${!SLURM_*}; do # a program of its own, on this node\n"
            "    [[ \" $given \" = *\" $name \"* ]] || unset \"$name\"\n"
            "  done\n"
            "  exec " +
            study_call(call) + " --part \"$part/" + groups +
            "\" --jobs 1 --quiet\n"
            "fi\n"
-           "export given=\"${!OMPI_*}\" # settings of the user, not of the job\n"
+           "export given=\"${!OMPI_*} ${!PRTE_*}\" # settings of the user, not of the job\n"
            "mpirun -x given --bind-to none -np " +
            all +
            " bash \"$0\" part\n"

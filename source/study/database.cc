@@ -54,6 +54,8 @@ namespace myolines::study
     }
   } // namespace
 
+  std::string sqlite_version() { return sqlite3_libversion(); }
+
   class Database::Statement
   {
   public:

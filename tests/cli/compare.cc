@@ -95,8 +95,8 @@ TEST_F(Compare, Ranks)
     // not as a child of this process, whose MPI library has set variables that mpirun would heed
     const std::string command = "cd '" + folder.path().string() +
                                 "' && env -i PATH=\"$PATH\" HOME=/tmp OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-                                "OMPI_MCA_rmaps_base_oversubscribe=1 mpirun -np 2 '" + myolines::test::program_file() + "' " +
-                                arguments + " > out.txt 2> err.txt";
+                                "OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe mpirun -np 2 '" +
+                                myolines::test::program_file() + "' " + arguments + " > out.txt 2> err.txt";
     return std::system(command.c_str());
   };
   ASSERT_EQ(mpirun("run muscle.xml --quiet --out shared --set system/geometry/refinement=1"), 0) << contents(folder / "err.txt");

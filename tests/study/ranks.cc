@@ -20,8 +20,12 @@ namespace
   const std::string steps = listed("step", "time/step", "0.1 | 0.05 | 0.025");
 
   /// What mpirun needs where the tests run: as root in a container, on few cores.
-  const std::vector<std::string> permissions{"/usr/bin/env", "OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
-                                             "OMPI_MCA_rmaps_base_oversubscribe=1", "OMPI_MCA_mpi_yield_when_idle=1"};
+  const std::vector<std::string> permissions{"/usr/bin/env",
+                                             "OMPI_ALLOW_RUN_AS_ROOT=1",
+                                             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+                                             "OMPI_MCA_rmaps_base_oversubscribe=1",
+                                             "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe",
+                                             "OMPI_MCA_mpi_yield_when_idle=1"};
 
   /// Starts @p command, not through a shell of this process, whose MPI library has set variables that mpirun would heed.
   pid_t start(Processes &processes, const StudyFolder &folder, const std::vector<std::string> &command)
@@ -43,7 +47,8 @@ namespace
 
   std::vector<std::string> study(const StudyFolder &folder, const std::string &out, const std::vector<std::string> &more = {})
   {
-    std::vector<std::string> words{myolines::test::program_file(), "study", (folder / "study.xml").string(), "--out", (folder / out).string()};
+    std::vector<std::string> words{myolines::test::program_file(), "study", (folder / "study.xml").string(), "--out",
+                                   (folder / out).string()};
     words.insert(words.end(), more.begin(), more.end());
     return words;
   }

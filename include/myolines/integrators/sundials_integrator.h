@@ -1,6 +1,7 @@
 #pragma once
 
 #include <myolines/integrators/sundials_tools.h>
+#include <myolines/integrators/sundials_versions.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/integrator.h>
 
@@ -62,8 +63,8 @@ namespace myolines
     double   size(N_Vector error) const;
     N_Vector work() const { return work_.get(); }
 
-    /// Keeps what SUNDIALS says of a failure; for its error handlers, with this object as their data.
-    static void note_error(int code, const char *module, const char *function, char *text, void *self);
+    /// What SUNDIALS said of the last failure: MYOLINES_KEEP_SUNDIALS_ERRORS writes it.
+    std::string &message() { return message_; }
 
   private:
     void allocate(const State &state);

@@ -69,6 +69,8 @@ namespace myolines
   /// tolerance as in ErrorNorm; without a tolerance of velocities it is E_u.
   void set_error_weights(const ErrorTolerances &tolerances, const FirstOrderForm &form, const double *y, double *weights);
 
+  std::string sundials_version(); ///< as loaded
+
   /// Throws (std::runtime_error) unless @p flag says success; for calls that cannot fail if the program is right.
   void require_success(int flag, const char *call);
 } // namespace myolines

@@ -10,6 +10,8 @@ struct sqlite3;
 
 namespace myolines::study
 {
+  std::string sqlite_version(); ///< as loaded
+
   /// How the run of a case ended, and with what.
   struct Outcome
   {
