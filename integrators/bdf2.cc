@@ -29,8 +29,7 @@ namespace myolines
     public:
       Bdf2(const DirkTable &starter, const IntegratorContext &context)
         : linear_(context.system.capabilities().linear)
-        , has_accelerations_(context.error_norm != nullptr && context.system.capabilities().inertia &&
-                             context.system.capabilities().orders == std::vector<unsigned int>{2})
+        , has_accelerations_(context.error_norm != nullptr && has_accelerations(context.system))
         , context_(context)
         , solver_(context)
         , starter_(starter, solver_, context)
@@ -159,7 +158,6 @@ namespace myolines
     entry.schema.choice("first step", "sdirk2", {"sdirk2", "backward euler"},
                         "Method of the first step of every smooth piece; backward euler leaves an error of second order of its own.");
     entry.make = [](const scene::Node &node, const IntegratorContext &context) -> std::unique_ptr<Integrator> {
-      require_fitting_system(facts(), node, context);
       if (context.error_norm != nullptr && node.text("first step") != "sdirk2")
         node.refuse("first step", "is \"" + node.text("first step") + "\", which does not estimate its error", "\"sdirk2\"");
       return std::make_unique<Bdf2>(node.text("first step") == "sdirk2" ? sdirk2_table() : DirkTable{{{1}}}, context);

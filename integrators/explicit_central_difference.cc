@@ -19,8 +19,8 @@ namespace myolines
       facts.reference = "Hughes, The Finite Element Method (2000), 9.1 and 9.5; Hairer, Lubich and Wanner, doi:10.1017/S0962492902000144";
       facts.order     = 2;
       facts.stability = "omega^2 dt^2 + 8 xi omega dt <= 4";
-      facts.second_order_only = true;
-      facts.solves            = MethodFacts::Solves::mass;
+      facts.unknowns  = MethodFacts::Unknowns::second_order;
+      facts.solves    = MethodFacts::Solves::mass;
       return facts;
     }
 
@@ -144,7 +144,7 @@ namespace myolines
     entry.schema.number("safety", 0.9, "-", scene::Range{0, 1, true, false}, "Part of the estimated stable step that may be used.")
         .integer("estimate interval", 100, scene::Range::closed(1, 1000000000), "Steps between two estimates of the stable step.");
     entry.make = [](const scene::Node &node, const IntegratorContext &context) {
-      require_fitting_system(facts(), node, context);
+      require_accelerations(facts(), node, context);
       return std::make_unique<ExplicitCentralDifference>(node.number("safety"), node.integer("estimate interval"), context);
     };
     return entry;

@@ -12,7 +12,7 @@ namespace myolines
       facts.reference = "Chung and Hulbert, doi:10.1115/1.2900803; Jansen, Whiting and Hulbert, doi:10.1016/S0045-7825(00)00203-6";
       facts.order     = 2;
       facts.stability = "unconditional";
-      facts.second_order_only  = true;
+      facts.unknowns  = MethodFacts::Unknowns::every_order_if_damped;
       facts.error_exponent     = 3;
       facts.estimates_velocity = false;
       return facts;

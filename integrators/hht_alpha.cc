@@ -12,7 +12,7 @@ namespace myolines
       facts.reference          = "Hilber, Hughes and Taylor, doi:10.1002/eqe.4290050306; thesis (4.5.1)";
       facts.order              = 2;
       facts.stability          = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
-      facts.second_order_only  = true;
+      facts.unknowns           = MethodFacts::Unknowns::every_order_if_damped;
       facts.error_exponent     = 3;
       facts.estimates_velocity = false;
       return facts;

@@ -21,10 +21,10 @@ namespace myolines
       facts.reference =
           "thesis (4.7.9); Ascher, Ruuth and Spiteri, doi:10.1016/S0168-9274(97)00056-1; with the tangent: Hairer and Wanner, "
           "doi:10.1007/978-3-642-05221-7, IV.7";
-      facts.order             = 1;
-      facts.stability         = "L-stable for linear systems with the tangent, else dt^2 (k_E - k_I) + 2 dt (c_E - c_I) <= 4";
-      facts.second_order_only = true;
-      facts.solves            = MethodFacts::Solves::linear_systems;
+      facts.order     = 1;
+      facts.stability = "L-stable for linear systems with the tangent, else dt^2 (k_E - k_I) + 2 dt (c_E - c_I) <= 4";
+      facts.unknowns  = MethodFacts::Unknowns::second_order;
+      facts.solves    = MethodFacts::Solves::linear_systems;
       return facts;
     }
 
@@ -258,7 +258,7 @@ namespace myolines
 
     std::unique_ptr<Integrator> make(const scene::Node &node, const IntegratorContext &context)
     {
-      require_fitting_system(facts(), node, context);
+      require_accelerations(facts(), node, context);
       const std::string name = node.text("split");
       if (name == tangent_split)
         return std::make_unique<TangentEuler>(context);

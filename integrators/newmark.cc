@@ -12,7 +12,7 @@ namespace myolines
       facts.reference          = "Newmark, doi:10.1061/JMCEA3.0000098; thesis (4.4.4)";
       facts.order              = 2;
       facts.stability          = "unconditional for beta >= gamma/2 >= 1/4, without damping of high frequencies for gamma = 1/2";
-      facts.second_order_only  = true;
+      facts.unknowns           = MethodFacts::Unknowns::every_order_if_damped;
       facts.error_exponent     = 3;
       facts.estimates_velocity = false;
       return facts;

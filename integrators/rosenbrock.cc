@@ -13,11 +13,11 @@ namespace myolines
       facts.name = "rosenbrock";
       facts.summary =
           "Linearly implicit method of two stages and second order: two linear solves per step with one Jacobian, no iteration.";
-      facts.reference         = "Shampine and Reichelt, The MATLAB ODE suite (ode23s), doi:10.1137/S1064827594276424";
-      facts.order             = 2;
-      facts.stability         = "L-stable for linear systems";
-      facts.second_order_only = true;
-      facts.solves            = MethodFacts::Solves::linear_systems;
+      facts.reference = "Shampine and Reichelt, The MATLAB ODE suite (ode23s), doi:10.1137/S1064827594276424";
+      facts.order     = 2;
+      facts.stability = "L-stable for linear systems";
+      facts.unknowns  = MethodFacts::Unknowns::second_order;
+      facts.solves    = MethodFacts::Solves::linear_systems;
       return facts;
     }
 
@@ -208,7 +208,7 @@ namespace myolines
     entry.facts  = facts();
     entry.schema = scene::Schema(entry.facts.summary);
     entry.make   = [](const scene::Node &node, const IntegratorContext &context) {
-      require_fitting_system(facts(), node, context);
+      require_accelerations(facts(), node, context);
       for (const auto &line : context.system.constraints().get_lines())
         if (context.boundary_rates == BoundaryRates::scheme && !line.entries.empty())
           node.refuse("type", "scheme rates are not defined for unknowns that depend on others", "\"time/boundary rates\" = \"exact\"");

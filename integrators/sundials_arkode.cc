@@ -1,5 +1,6 @@
 #include <myolines/integrators/sundials_arkode_system.h>
 #include <myolines/integrators/sundials_integrator.h>
+#include <myolines/time/start.h>
 
 #include <arkode/arkode_arkstep.h>
 
@@ -19,11 +20,12 @@ namespace myolines
       facts.summary =
           "ARKODE of SUNDIALS: explicit, diagonally implicit and additive Runge-Kutta methods by the names of their tables; steps "
           "given or chosen by error.";
-      facts.reference         = "Reynolds et al., doi:10.1145/3594632; the papers of the tables are in the documentation of ARKODE";
-      facts.order             = 3;
-      facts.stability         = "that of the table; L-stable for the default one";
-      facts.second_order_only = true;
-      facts.restart           = MethodFacts::Restart::reinitialise;
+      facts.reference    = "Reynolds et al., doi:10.1145/3594632; the papers of the tables are in the documentation of ARKODE";
+      facts.order        = 3;
+      facts.stability    = "that of the table; L-stable for the default one";
+      facts.unknowns     = MethodFacts::Unknowns::second_order;
+      facts.scheme_rates = false;
+      facts.restart      = MethodFacts::Restart::reinitialise;
       return facts;
     }
 
@@ -248,11 +250,13 @@ namespace myolines
                 "Of Newton's method where steps are given: of the sizes of displacements and velocities.")
         .number("absolute tolerance", 1e-12, "m, m/s", Range::positive(), "The same beyond that.");
     entry.make = [](const scene::Node &node, const IntegratorContext &context) {
-      require_first_order_form(facts(), node, context);
+      require_accelerations(facts(), node, context);
+      refuse_given_rates(facts(), node, context);
       return std::make_unique<FixedArkode>(node, context);
     };
     entry.make_self_paced = [](const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits) {
-      require_first_order_form(facts(), node, context);
+      require_accelerations(facts(), node, context);
+      refuse_given_rates(facts(), node, context);
       if (arkode_tables(node).embedded_order() == 0)
         node.refuse("explicit table", "the table has no embedded formula to estimate errors with", "another table",
                     "or \"time/control/type\" = \"fixed\"");

@@ -1,4 +1,5 @@
 #include <myolines/integrators/sundials_integrator.h>
+#include <myolines/time/start.h>
 
 #include <cvodes/cvodes.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
@@ -16,11 +17,12 @@ namespace myolines
       facts.name = "cvode";
       facts.summary =
           "CVODE of SUNDIALS: multistep methods of variable order and step, BDF for stiff systems and Adams-Moulton for others.";
-      facts.reference         = "Hindmarsh et al., doi:10.1145/1089014.1089020; Byrne and Hindmarsh, doi:10.1145/355626.355636";
-      facts.order             = 5;
-      facts.stability         = "BDF: A-stable up to order 2, stiffly stable up to 5; Adams: bounded";
-      facts.second_order_only = true;
-      facts.restart           = MethodFacts::Restart::reinitialise;
+      facts.reference    = "Hindmarsh et al., doi:10.1145/1089014.1089020; Byrne and Hindmarsh, doi:10.1145/355626.355636";
+      facts.order        = 5;
+      facts.stability    = "BDF: A-stable up to order 2, stiffly stable up to 5; Adams: bounded";
+      facts.unknowns     = MethodFacts::Unknowns::second_order;
+      facts.scheme_rates = false;
+      facts.restart      = MethodFacts::Restart::reinitialise;
       return facts;
     }
 
@@ -189,7 +191,8 @@ namespace myolines
         .integer("maximum order", 5, scene::Range::closed(1, 12), "At most 5 for bdf, 12 for adams.")
         .boolean("stability limit detection", false, "Lowers the order of bdf where an oscillation would be unstable at the present one.");
     entry.make_self_paced = [](const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits) {
-      require_first_order_form(facts(), node, context);
+      require_accelerations(facts(), node, context);
+      refuse_given_rates(facts(), node, context);
       const bool adams = node.text("formula") == "adams";
       if (!adams && node.integer("maximum order") > 5)
         node.refuse("maximum order", "bdf has no order above 5", "1 to 5");

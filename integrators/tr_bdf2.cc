@@ -9,13 +9,12 @@ namespace myolines
     MethodFacts facts()
     {
       MethodFacts facts;
-      facts.name              = "tr-bdf2";
-      facts.summary           = "A trapezoidal step to t + (2 - sqrt(2)) dt, then a backward difference of second order to t + dt.";
-      facts.reference         = "Bank et al., doi:10.1109/T-ED.1985.22232; Hosea and Shampine, doi:10.1016/0168-9274(95)00115-8";
-      facts.order             = 2;
-      facts.stability         = "L-stable, stiffly accurate";
-      facts.error_exponent    = 3;
-      facts.second_order_only = true; // the trapezoidal stage begins from a_0
+      facts.name           = "tr-bdf2";
+      facts.summary        = "A trapezoidal step to t + (2 - sqrt(2)) dt, then a backward difference of second order to t + dt.";
+      facts.reference      = "Bank et al., doi:10.1109/T-ED.1985.22232; Hosea and Shampine, doi:10.1016/0168-9274(95)00115-8";
+      facts.order          = 2;
+      facts.stability      = "L-stable, stiffly accurate";
+      facts.error_exponent = 3;
       return facts;
     }
 

@@ -12,7 +12,7 @@ namespace myolines
       facts.reference          = "Wood, Bossak and Zienkiewicz, doi:10.1002/nme.1620151011";
       facts.order              = 2;
       facts.stability          = "unconditional, spectral radius at infinity (1 + alpha)/(1 - alpha)";
-      facts.second_order_only  = true;
+      facts.unknowns           = MethodFacts::Unknowns::every_order_if_damped;
       facts.error_exponent     = 3;
       facts.estimates_velocity = false;
       return facts;

@@ -13,10 +13,11 @@ namespace myolines
       MethodFacts facts;
       facts.name    = "wilson theta";
       facts.summary = "Linear acceleration over theta dt, of which dt is kept; loads are met at t + theta dt, beyond the end of the step.";
-      facts.reference         = "Wilson, Farhoomand and Bathe, doi:10.1002/eqe.4290010305";
-      facts.order             = 2;
-      facts.stability         = "unconditional for theta >= (1 + sqrt(3))/2, overshoots at large steps";
-      facts.second_order_only = true;
+      facts.reference    = "Wilson, Farhoomand and Bathe, doi:10.1002/eqe.4290010305";
+      facts.order        = 2;
+      facts.stability    = "unconditional for theta >= (1 + sqrt(3))/2, overshoots at large steps";
+      facts.unknowns     = MethodFacts::Unknowns::second_order;
+      facts.scheme_rates = false;
       return facts;
     }
 
@@ -97,7 +98,7 @@ namespace myolines
           "and boundaries of a muscle do"};
     };
     entry.make = [](const scene::Node &node, const IntegratorContext &context) {
-      require_fitting_system(facts(), node, context);
+      require_accelerations(facts(), node, context);
       refuse_scheme_rates(node, context); // linear acceleration at a boundary, see Newmark
       return std::make_unique<WilsonTheta>(node.number("theta"), first_step(node), context);
     };

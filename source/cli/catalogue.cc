@@ -198,36 +198,37 @@ namespace myolines
       const std::vector<scene::Setting> walking{
           {"title", "A muscle with its tendon in a synthetic gait"}, {"time/end", "2"}, {"time/step", "1e-3"}};
       const std::vector<scene::Setting> relaxing{{"title", "An active muscle at fixed length"}, {"time/end", "10"}, {"time/step", "1e-3"}};
+      const SystemVariant               unknown_activation{"activation unknown", {{"system/activation", "unknown"}}};
       return {{"muscle 3d",
                muscle3d_schema(),
                muscle3d_output_schema(),
                isometric,
-               {{"system/inertia", "quasi-static"}},
+               {{"dynamic", {}}, {"quasi-static", {{"system/inertia", "quasi-static"}}}},
                make_muscle3d,
                muscle3d_size},
               {"muscle-tendon unit",
                muscle_tendon_unit_schema(),
                muscle_tendon_output_schema(),
                walking,
-               {},
+               {{"masses", {}}, {"massless", {{"system/masses", "0"}}}, unknown_activation},
                make_muscle_tendon_unit,
                muscle_tendon_unit_size},
               {"continuum muscle",
                continuum_muscle_schema(),
                muscle_tendon_output_schema(),
                walking,
-               {},
+               {{"", {}}, unknown_activation},
                make_continuum_muscle,
                continuum_muscle_size},
               {"isometric chain",
                isometric_chain_schema(),
                isometric_chain_output_schema(),
                relaxing,
-               {},
+               {{"", {}}},
                make_isometric_chain,
                isometric_chain_size},
-              {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {}, make_rod1d, rod1d_size},
-              {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {}, make_oscillator, oscillator_size}};
+              {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {{"", {}}}, make_rod1d, rod1d_size},
+              {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {{"", {}}}, make_oscillator, oscillator_size}};
     }
 
     Schema integrator_schema()
@@ -294,10 +295,11 @@ namespace myolines
         return {};
       std::vector<scene::Preset> all;
       for (const IntegratorEntry &entry : integrator_registry())
-        if (entry.facts.name == *chosen && !entry.make)
+        if (entry.facts.name == *chosen)
           {
-            all.push_back({"time/control/type", "error", entry.facts.name + " chooses its steps itself"});
-            if (scene::peek_text(file, "time/boundary rates", overrides) == "scheme")
+            if (!entry.make)
+              all.push_back({"time/control/type", "error", entry.facts.name + " chooses its steps itself"});
+            if (!entry.facts.scheme_rates && scene::peek_text(file, "time/boundary rates", overrides) == "scheme")
               all.push_back(
                   {"time/boundary rates", "exact", entry.facts.name + " has no formulas of its own for the rates of a moving boundary"});
           }

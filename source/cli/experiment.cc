@@ -113,7 +113,7 @@ namespace myolines
     if (!method_.facts.dynamic && assembled_.system->capabilities().inertia)
       scene_.section("integrator")
           .refuse("type", "\"" + method_.facts.name + "\" ignores inertia, but the system has it", "an integrator for dynamics",
-                  "or a system without inertia, where it can be without");
+                  "`myolines list methods " + method_.facts.name + "` names systems without it, and what sets them");
   }
 
   /// A step below the rounding of the times does not advance them.

@@ -2,6 +2,7 @@
 #include <myolines/base/names.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
+#include <myolines/cli/fit.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>
 #include <myolines/study/study.h>
@@ -22,6 +23,19 @@ namespace myolines
     };
     using Items = std::vector<Item>;
 
+    std::string unknowns_text(const MethodFacts::Unknowns unknowns)
+    {
+      switch (unknowns)
+        {
+        case MethodFacts::Unknowns::second_order:
+          return "  for unknowns of second order, in systems with inertia (`myolines list methods`)\n";
+        case MethodFacts::Unknowns::every_order_if_damped:
+          return "  for unknowns of second order, in systems with inertia; with a spectral radius at infinity below 1 of every order\n";
+        default:
+          return "  for unknowns of every order\n";
+        }
+    }
+
     std::string facts_text(const IntegratorEntry &entry)
     {
       const MethodFacts &facts = entry.facts;
@@ -36,8 +50,7 @@ namespace myolines
       else if (facts.order > 0)
         text += "  error of a step: by step doubling\n";
       text += facts.dynamic ? "" : "  ignores inertia and rates\n";
-      text +=
-          facts.second_order_only ? "  made for unknowns of second order, in systems with inertia\n" : "  for unknowns of every order\n";
+      text += unknowns_text(facts.unknowns);
       if (facts.solves == MethodFacts::Solves::linear_systems)
         text += "  solves linear systems and does not iterate\n";
       if (facts.solves == MethodFacts::Solves::mass)
@@ -60,6 +73,43 @@ namespace myolines
       Items items;
       for (const SystemEntry &entry : system_catalogue())
         items.push_back({entry.name, entry.schema.doc(), describe(entry.schema)});
+      return items;
+    }
+
+    /// Systems that the run of @p integrator takes, with what makes them of the example, and what it says of those that it refuses.
+    Item systems_of(const IntegratorEntry &integrator)
+    {
+      std::vector<std::string>                                      taken;
+      std::vector<std::pair<std::string, std::vector<std::string>>> refused; ///< by reason
+      std::string                                                   details;
+      for (const SystemEntry &system : system_catalogue())
+        for (const SystemVariant &variant : system.variants)
+          {
+            const std::string name    = variant_name(system, variant);
+            const auto        problem = why_refused(system, variant, integrator);
+            if (!problem)
+              {
+                taken.push_back(name);
+                for (const auto &[path, text] : variant.settings)
+                  details += "  " + name + ": " + path + "=" + text + "\n";
+              }
+            else if (refused.empty() || refused.back().first != problem->what)
+              refused.push_back({problem->what, {name}});
+            else
+              refused.back().second.push_back(name);
+          }
+      std::string summary = "runs " + join(taken, "; ");
+      for (const auto &[why, names] : refused)
+        summary += "\n    not " + join(names, "; ") + ": " + why;
+      return {integrator.facts.name, summary, details};
+    }
+
+    /// Of all methods, or of @p only one.
+    Items methods(const std::string &only)
+    {
+      Items items;
+      for (const IntegratorEntry &integrator : integrator_registry())
+        items.push_back(only.empty() || only == integrator.facts.name ? systems_of(integrator) : Item{integrator.facts.name, "", ""});
       return items;
     }
 
@@ -105,16 +155,20 @@ namespace myolines
       return items;
     }
 
-    const std::vector<std::pair<std::string, std::function<Items()>>> &topics()
+    using Topic = std::function<Items(const std::string &only)>;
+
+    const std::vector<std::pair<std::string, Topic>> &topics()
     {
-      static const std::vector<std::pair<std::string, std::function<Items()>>> all{
-          {"integrators", integrators},
-          {"systems", systems},
-          {"tissues", tissues},
-          {"profiles", [] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); }},
-          {"preconditioners", [] { return alternatives(LinearSolver::preconditioner_schema()); }},
-          {"outputs", outputs},
-          {"studies", studies}};
+      const auto all_of = [](const std::function<Items()> &items) -> Topic { return [items](const std::string &) { return items(); }; };
+      static const std::vector<std::pair<std::string, Topic>> all{
+          {"integrators", all_of(integrators)},
+          {"methods", methods},
+          {"systems", all_of(systems)},
+          {"tissues", all_of(tissues)},
+          {"profiles", all_of([] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); })},
+          {"preconditioners", all_of([] { return alternatives(LinearSolver::preconditioner_schema()); })},
+          {"outputs", all_of(outputs)},
+          {"studies", all_of(studies)}};
       return all;
     }
 
@@ -144,7 +198,7 @@ namespace myolines
     for (const auto &[known, make_items] : topics())
       if (known == topic)
         {
-          const Items items = make_items();
+          const Items items = make_items(name);
           for (const Item &item : items)
             if (name.empty() || name == item.name)
               out << item.name << "\n    " << item.summary << "\n" << (name.empty() ? "" : item.details);
@@ -164,18 +218,16 @@ namespace myolines
     if (std::find(methods.begin(), methods.end(), method) == methods.end())
       refuse("integrator", method, methods);
 
-    std::vector<scene::Setting> settings = entry.example;
-    settings.insert(settings.begin(), {{"system/type", entry.name}, {"integrator/type", method}});
-    if (!integrator_entry(method).make)
-      settings.push_back({"time/control/type", "error"});
-    if (!integrator_entry(method).facts.dynamic)
-      {
-        if (entry.without_inertia.empty())
-          throw InputError(InputProblem{"command line",
-                                        "\"" + method + "\" ignores inertia, which the system \"" + system + "\" cannot be without",
-                                        "an integrator for dynamics", ""});
-        settings.insert(settings.end(), entry.without_inertia.begin(), entry.without_inertia.end());
-      }
-    out << scene::template_xml(root_schema(entry), settings);
+    const IntegratorEntry      &chosen = integrator_entry(method);
+    std::optional<InputProblem> refused;
+    for (const SystemVariant &variant : entry.variants)
+      if (const auto problem = why_refused(entry, variant, chosen))
+        refused = refused.value_or(*problem);
+      else
+        {
+          out << scene::template_xml(root_schema(entry), example_of(entry, variant, chosen));
+          return;
+        }
+    throw InputError(*refused);
   }
 } // namespace myolines

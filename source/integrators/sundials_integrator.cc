@@ -126,9 +126,8 @@ namespace myolines
     return N_VWrmsNorm(error, weights_.get());
   }
 
-  void require_first_order_form(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  void refuse_given_rates(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
   {
-    require_fitting_system(facts, integrator, context);
     if (context.boundary_rates == BoundaryRates::scheme && context.system.constraints().n_constraints() > 0)
       integrator.refuse("type", "\"" + facts.name + "\" has no formulas of its own for the rates of a moving boundary",
                         "\"time/boundary rates\" = \"exact\"");

@@ -70,6 +70,7 @@ namespace myolines
     c.rates             = parameters_.dynamic && parameters_.active() && parameters_.muscle().fibre.force_velocity;
     c.symmetric_tangent = !parameters_.exact_tangent || (!c.rates && !has_follower_pressure(parameters_));
     c.energy            = parameters_.dynamic;
+    c.orders            = {parameters_.dynamic ? 2u : 0u};
     c.splits            = splits();
     return c;
   }

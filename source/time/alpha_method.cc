@@ -169,6 +169,20 @@ namespace myolines
       State                   end_, offset_;
     };
 
+    /// Where there is no inertia, or unknowns are of order 0 or 1, accelerations are what the formulas of a step make of displacements and
+    /// velocities: those of the step before must fade.
+    void require_damped_accelerations(const AlphaCoefficients &coefficients, const MethodFacts &facts, const scene::Node &integrator,
+                                      const IntegratorContext &context)
+    {
+      const std::string why = why_no_accelerations(context.system);
+      if (why.empty())
+        return;
+      if (spectral_radius_at_infinity(coefficients) > 1 - 1e-7)
+        integrator.refuse("type", "\"" + facts.name + "\" with these parameters carries accelerations on undamped, but " + why,
+                          "parameters with a spectral radius at infinity below 1, or another method", methods_hint);
+      require_fitting_first_step(facts, integrator, context);
+    }
+
     /// Larger modulus of the roots of x^2 - trace x + determinant.
     double larger_root(const double trace, const double determinant)
     {
@@ -224,7 +238,7 @@ namespace myolines
   std::unique_ptr<Integrator> make_alpha_method(const AlphaCoefficients &coefficients, const ForceEvaluation force, const FirstStep first,
                                                 const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
   {
-    require_fitting_system(facts, integrator, context);
+    require_damped_accelerations(coefficients, facts, integrator, context);
     if (amplification_of_scheme_rates(coefficients) > 1 + 1e-7)
       refuse_scheme_rates(integrator, context);
     if (context.error_norm != nullptr && std::abs(error_constant(coefficients)) < 1e-6)

@@ -139,10 +139,10 @@ namespace myolines
   std::unique_ptr<Integrator> make_dirk(const DirkTable &table, const MethodFacts &facts, const scene::Node &integrator,
                                         const IntegratorContext &context)
   {
-    require_fitting_system(facts, integrator, context);
-    if (table.explicit_first_stage())
-      return std::make_unique<ExplicitFirstStageMethod>(table, first_step(integrator), context);
-    return std::make_unique<DirkMethod>(table, context);
+    if (!table.explicit_first_stage())
+      return std::make_unique<DirkMethod>(table, context);
+    require_fitting_first_step(facts, integrator, context);
+    return std::make_unique<ExplicitFirstStageMethod>(table, first_step(integrator), context);
   }
 
   DirkTable sdirk2_table()

@@ -74,10 +74,13 @@ namespace myolines
                         "its tolerances are in \"time/control\"");
     if (context.error_norm == nullptr)
       return entry.make(integrator, context);
-    const MethodFacts &facts = entry.facts;
-    if (facts.order == 0)
-      integrator.refuse("type", "\"" + facts.name + "\" makes no error in time that could be controlled", "another \"time/control/type\"",
-                        "\"cut back\" shortens steps that fail");
+    const MethodFacts &facts      = entry.facts;
+    const bool         equilibria = context.system.capabilities().orders == std::vector<unsigned int>{0};
+    if (facts.order == 0 || equilibria)
+      integrator.refuse("type",
+                        (equilibria ? "steps end in equilibrium, however long they are: " : "") + ("\"" + facts.name + "\"") +
+                            " makes no error in time that could be controlled",
+                        "another \"time/control/type\"", "\"cut back\" shortens steps that fail");
     if (context.error_norm->looks_at_velocity() && !facts.estimates_velocity)
       integrator.refuse("type", "\"" + facts.name + "\" estimates the error of displacements only",
                         "no list \"time/control/velocity\", or a method that estimates both",

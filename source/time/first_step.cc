@@ -64,6 +64,13 @@ namespace myolines
         "acceleration M a = -F.");
   }
 
+  void require_fitting_first_step(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  {
+    if (const std::string why = why_no_accelerations(context.system); !why.empty() && first_step(integrator) == FirstStep::own)
+      integrator.refuse("first step", "is \"own\", with which \"" + facts.name + "\" begins from accelerations, but " + why,
+                        "\"l-stable\"");
+  }
+
   FirstStep first_step(const scene::Node &integrator)
   {
     return integrator.text("first step") == "own" ? FirstStep::own : FirstStep::sdirk2;

@@ -165,18 +165,21 @@ namespace myolines
     state.a.swap(point.a);
   }
 
-  void require_fitting_system(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  bool has_accelerations(const SemiDiscreteSystem &system) { return why_no_accelerations(system).empty(); }
+
+  std::string why_no_accelerations(const SemiDiscreteSystem &system)
   {
-    const Capabilities capabilities = context.system.capabilities();
-    if (!facts.second_order_only)
-      return;
-    const std::string advice = "`myolines list integrators NAME` tells which unknowns a method is for";
+    const Capabilities capabilities = system.capabilities();
     if (!capabilities.inertia)
-      integrator.refuse("type", "\"" + facts.name + "\" needs accelerations, but the system has no inertia",
-                        "a method that does without, or a system with inertia", advice);
-    if (capabilities.orders != std::vector<unsigned int>{2})
-      integrator.refuse("type", "\"" + facts.name + "\" is for unknowns of second order in time only, and the system has others",
-                        "a method for unknowns of every order", advice);
+      return "the system has no inertia";
+    return capabilities.orders == std::vector<unsigned int>{2} ? "" : "not all unknowns of the system are of second order in time";
+  }
+
+  void require_accelerations(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  {
+    if (const std::string why = why_no_accelerations(context.system); !why.empty())
+      integrator.refuse("type", "\"" + facts.name + "\" needs the acceleration of every unknown, but " + why,
+                        "a method that does without, or another system", methods_hint);
   }
 
   void refuse_scheme_rates(const scene::Node &integrator, const IntegratorContext &context)

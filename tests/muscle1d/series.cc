@@ -194,13 +194,13 @@ TEST(Massless, startsWithTheRateThatBalances)
 }
 
 // Methods that need accelerations say so.
-TEST(Massless, isRefusedByMethodsOfSecondOrderOnly)
+TEST(Massless, isRefusedByMethodsThatNeedAccelerations)
 {
   Solvers              solvers;
   const Muscle1dSystem system(read_muscle_tendon_unit(node(muscle_tendon_unit_schema(), {"masses=0"})), solvers.ledger);
   unsigned int         refused = 0;
   for (const IntegratorEntry &entry : integrator_registry())
-    if (entry.facts.second_order_only && entry.make)
+    if (entry.facts.unknowns == MethodFacts::Unknowns::second_order && entry.make)
       {
         ++refused;
         try

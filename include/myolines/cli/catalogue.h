@@ -45,15 +45,22 @@ namespace myolines
     bool   banded          = false; ///< solved directly in bytes, unless the scene names a preconditioner
   };
 
+  /// A kind of unknowns that a system may have: with inertia, without, ...
+  struct SystemVariant
+  {
+    std::string                 name;     ///< "quasi-static"; may be empty where there is one only
+    std::vector<scene::Setting> settings; ///< what makes it of the example
+  };
+
   /// What a kind of system brings to scenes, help and templates.
   struct SystemEntry
   {
-    std::string                 name;            ///< value of system/type
-    scene::Schema               schema;          ///< of the list `system`
-    scene::Schema               output;          ///< of the list `output`
-    std::vector<scene::Setting> example;         ///< a small scene, without the integrator
-    std::vector<scene::Setting> without_inertia; ///< turns the example quasi-static; empty if it cannot be
-    std::function<AssembledSystem(const scene::Node &, WorkLedger &)>    make;
+    std::string                                                       name;     ///< value of system/type
+    scene::Schema                                                     schema;   ///< of the list `system`
+    scene::Schema                                                     output;   ///< of the list `output`
+    std::vector<scene::Setting>                                       example;  ///< a small scene, without the integrator
+    std::vector<SystemVariant>                                        variants; ///< what methods may take or not, the example itself first
+    std::function<AssembledSystem(const scene::Node &, WorkLedger &)> make;
     std::function<SizeEstimate(const scene::Node &, unsigned int ranks)> size;
   };
 

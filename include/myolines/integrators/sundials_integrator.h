@@ -82,7 +82,6 @@ namespace myolines
     std::string                      message_;
   };
 
-  /// Refuses (InputError at the parameter type of @p integrator) what cannot be brought into first-order form: systems that @p facts
-  /// do not fit, and boundaries that move by the formulas of a method.
-  void require_first_order_form(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
+  /// Refuses (InputError at the parameter type of @p integrator) boundaries that move by the formulas of a method.
+  void refuse_given_rates(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
 } // namespace myolines

@@ -57,10 +57,10 @@ namespace myolines
   /// Weights by differential order of the unknown: [0] algebraic, [1] first order, [2] second order in time.
   using WeightsByOrder = std::array<Weights, 3>;
 
-  /// Weights of one implicit stage (u, v, a) = (u~, v~, a~) + (c_u, c_v, c_a) d. Algebraic unknowns always get (1, 0, 0).
+  /// Weights of one implicit stage (u, v, a) = (u~, v~, a~) + (c_u, c_v, c_a) d, of which an unknown meets as many as its order says.
   inline WeightsByOrder stage_weights(const double c_u, const double c_v, const double c_a)
   {
-    return {{Weights{1, 0, 0}, Weights{c_u, c_v, 0}, Weights{c_u, c_v, c_a}}};
+    return {{Weights{c_u, 0, 0}, Weights{c_u, c_v, 0}, Weights{c_u, c_v, c_a}}};
   }
 
   /// What a residual says of its arguments. Inadmissible (det F <= 0, not a number, ...) is a value, agreed by all ranks.

@@ -49,6 +49,9 @@ namespace myolines
     bool                       due_ = false;
   };
 
+  /// Refuses (InputError) own formulas for a first step in a system without accelerations (has_accelerations()).
+  void require_fitting_first_step(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
+
   /// The choice `first step`, and what was chosen.
   void      declare_first_step(scene::Schema &schema);
   FirstStep first_step(const scene::Node &integrator);

@@ -29,8 +29,16 @@ namespace myolines
     /// The estimate is of u and v, else of u only.
     bool estimates_velocity = true;
 
-    /// The method needs accelerations of every unknown: it refuses systems without inertia and unknowns of order 0 or 1.
-    bool second_order_only = false;
+    /// Which unknowns a method takes. Those of order 0 or 1, all of them in a system without inertia, have no accelerations M a = -F.
+    enum class Unknowns
+    {
+      every_order,
+      every_order_if_damped, ///< where its parameters damp accelerations, else of second order
+      second_order
+    } unknowns = Unknowns::every_order;
+
+    /// The method has formulas of its own for the velocity and acceleration of a moving boundary, see BoundaryRates::scheme.
+    bool scheme_rates = true;
 
     /// What a step solves, which says what limits its size.
     enum class Solves

@@ -28,9 +28,17 @@ namespace myolines
   /// @throws SolveError if that cannot be solved.
   void consistent_acceleration(const IntegratorContext &context, StageSolver &solver, Side side, State &state);
 
-  /// Refuses (InputError at the parameter type of @p integrator) a system that @p facts do not fit: one without inertia or
-  /// with unknowns of order 0 or 1 for a method that is second_order_only.
-  void require_fitting_system(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
+  /// Where to look for another method.
+  constexpr const char *methods_hint = "`myolines list methods` tells which methods and systems go together";
+
+  /// Whether every unknown of @p system has an acceleration, M a = -F: there is inertia, and none is of order 0 or 1.
+  bool has_accelerations(const SemiDiscreteSystem &system);
+
+  /// Why not: "the system has no inertia", for a sentence.
+  std::string why_no_accelerations(const SemiDiscreteSystem &system);
+
+  /// Refuses (InputError at the parameter type of @p integrator) a system without them, for a method that needs them.
+  void require_accelerations(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
 
   /// Refuses scheme rates on constrained unknowns. With the parameters of @p integrator the formulas of the method make a
   /// prescribed motion grow without bound: it acts like a spring of infinite stiffness on a method of limited stability.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <myolines/base/error.h>
+#include <myolines/cli/catalogue.h>
+#include <myolines/time/integrator.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// "muscle 3d, quasi-static".
+  std::string variant_name(const SystemEntry &system, const SystemVariant &variant);
+
+  /// The example of a system as this variant, with the defaults of the method.
+  std::vector<scene::Setting> example_of(const SystemEntry &system, const SystemVariant &variant, const IntegratorEntry &integrator);
+
+  /// Why a run of that example is refused, by the words of the run itself, which is made for it but not started; none if it is not.
+  std::optional<InputProblem> why_refused(const SystemEntry &system, const SystemVariant &variant, const IntegratorEntry &integrator);
+} // namespace myolines

@@ -1,0 +1,33 @@
+#include <myolines/cli/experiment.h>
+#include <myolines/cli/fit.h>
+
+namespace myolines
+{
+  std::string variant_name(const SystemEntry &system, const SystemVariant &variant)
+  {
+    return system.name + (variant.name.empty() ? "" : ", " + variant.name);
+  }
+
+  std::vector<scene::Setting> example_of(const SystemEntry &system, const SystemVariant &variant, const IntegratorEntry &integrator)
+  {
+    std::vector<scene::Setting> settings{{"system/type", system.name}, {"integrator/type", integrator.facts.name}};
+    for (const std::vector<scene::Setting> &more : {system.example, variant.settings})
+      settings.insert(settings.end(), more.begin(), more.end());
+    if (!integrator.make)
+      settings.push_back({"time/control/type", "error"});
+    return settings;
+  }
+
+  std::optional<InputProblem> why_refused(const SystemEntry &system, const SystemVariant &variant, const IntegratorEntry &integrator)
+  {
+    try
+      {
+        Experiment(scene::compose_scene(root_schema(system), example_of(system, variant, integrator)));
+        return std::nullopt;
+      }
+    catch (const InputError &error)
+      {
+        return error.problems().front();
+      }
+  }
+} // namespace myolines
