@@ -1,8 +1,8 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
-#include <myolines/base/on_one_rank.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/flexodeal.h>
+#include <myolines/cli/guarded.h>
 #include <myolines/cli/point.h>
 #include <myolines/cli/program.h>
 #include <myolines/compare/compare.h>
@@ -10,16 +10,11 @@
 #include <myolines/scene/numbers.h>
 #include <myolines/study/plot.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <CLI/CLI.hpp>
 
-#include <chrono>
 #include <csignal>
 #include <functional>
 #include <iostream>
-#include <new>
-#include <thread>
 
 namespace myolines
 {
@@ -54,6 +49,7 @@ namespace myolines
         add_modes();
         add_point();
         add_study();
+        add_verify();
         add_compare();
         add_plot();
         add_list();
@@ -199,6 +195,33 @@ namespace myolines
             ->type_name("PATH=VALUE");
       }
 
+      void add_verify()
+      {
+        CLI::App *command =
+            add(app, "verify", "Estimates the errors that steps and mesh leave in values of a scene, and what less costs", [this] {
+              verify_.scene     = run.scene;
+              verify_.overrides = run.overrides;
+              verify_command(verify_, run.quiet, mpi_, out_);
+            });
+        command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        command
+            ->add_option("--quantity", verify_.quantities,
+                         "A value: a column of a table that runs write, its last value or, with :largest, :smallest or \":at TIME\" after "
+                         "it, that one; may be repeated")
+            ->required()
+            ->allow_extra_args(false)
+            ->type_name("FILE:COLUMN");
+        command->add_option("--out", verify_.folder, "Where to write; default: results/ and \"SCENE verify\"")->type_name("DIR");
+        command->add_option("--at-most", verify_.at_most, "CPU time of a run over that of the scene; dearer ones are left out")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        command->add_option("--ranks", verify_.ranks, "MPI ranks of each run")->check(at_least_one())->capture_default_str();
+        command->add_option("--jobs", verify_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
+        command->add_flag("--retry", verify_.retry, "Runs again what failed");
+        command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
+        add_overrides(command);
+      }
+
       void add_compare()
       {
         CLI::App *command =
@@ -267,6 +290,7 @@ namespace myolines
       std::string           topic_, name_;
       FlexodealOptions      flexodeal_;
       study::Options        study_;
+      study::VerifyOptions  verify_;
       CompareOptions        compare_;
       study::PlotOptions    plot_;
       std::filesystem::path modes_, mesh_;
@@ -291,87 +315,14 @@ namespace myolines
         return static_cast<int>(ExitCode::done);
       return static_cast<int>(ExitCode::invalid_input);
     }
-
-    /// Other ranks may not know of it and wait: whoever fails says so and ends the whole job.
-    ExitCode end_alone(const std::string &kind, const std::string &what, const ExitCode code)
-    {
-      const bool several = dealii::Utilities::MPI::job_supports_mpi() && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1;
-      if (several && !writes_files())
-        std::this_thread::sleep_for(std::chrono::seconds(1)); // if the first rank knows of it as well, it says so
-      std::cerr << kind << what << std::endl;
-      if (several)
-        {
-          std::this_thread::sleep_for(std::chrono::milliseconds(300)); // until mpirun has passed the words on
-          MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
-        }
-      return code;
-    }
-
-    /// What was printed may not have arrived.
-    ExitCode flushed(const ExitCode code)
-    {
-      if (std::cout.flush() || code != ExitCode::done)
-        return code;
-      std::cerr << "The system refused: cannot write standard output" << std::endl;
-      return ExitCode::system_refused;
-    }
-
-    ExitCode guarded(const std::function<void()> &command, std::ostream &err)
-    {
-      try
-        {
-          command();
-          return ExitCode::done;
-        }
-      catch (const InputError &error)
-        {
-          err << error.what() << std::endl;
-          return ExitCode::invalid_input;
-        }
-      catch (const OnOneRank<SolveError> &error)
-        {
-          return end_alone("The solve failed: ", error.what(), ExitCode::solve_failed);
-        }
-      catch (const OnOneRank<Interrupted> &error)
-        {
-          return end_alone("The run was ", error.what(), ExitCode::solve_failed);
-        }
-      catch (const SolveError &error)
-        {
-          err << "The solve failed: " << error.what() << "\n"
-              << "What was computed before is in the output folder; run.log there tells how the steps went." << std::endl;
-          return ExitCode::solve_failed;
-        }
-      catch (const Interrupted &error)
-        {
-          err << "The run was " << error.what() << std::endl;
-          return ExitCode::solve_failed;
-        }
-      catch (const SystemError &error)
-        {
-          return end_alone("The system refused: ", error.what(), ExitCode::system_refused);
-        }
-      catch (const std::filesystem::filesystem_error &error)
-        {
-          return end_alone("The system refused: ", "cannot use " + error.path1().string() + ": " + error.code().message(),
-                           ExitCode::system_refused);
-        }
-      catch (const std::bad_alloc &)
-        {
-          return end_alone("The system refused: ", "out of memory", ExitCode::system_refused);
-        }
-      catch (const std::exception &error)
-        {
-          return end_alone("Internal error: ", error.what(), ExitCode::internal_error);
-        }
-    }
   } // namespace
 
   int program(const int argc, const char *const *argv, MpiSession &mpi)
   {
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told where it is written
-    const bool is_study = argc > 1 && std::string(argv[1]) == "study";
-    if (!is_study || MpiSession::is_rank_of_a_job())
+    const std::string command          = argc > 1 ? argv[1] : "";
+    const bool        starts_processes = command == "study" || command == "verify";
+    if (!starts_processes || MpiSession::is_rank_of_a_job())
       {
         struct sigaction hang_up
         {
