@@ -51,6 +51,7 @@ namespace myolines
         add_modes();
         add_point();
         add_study();
+        add_verify();
         add_compare();
         add_plot();
         add_list();
@@ -201,6 +202,33 @@ namespace myolines
             ->type_name("PATH=VALUE");
       }
 
+      void add_verify()
+      {
+        CLI::App *command =
+            add(app, "verify", "Estimates the errors that steps and mesh leave in values of a scene, and what less costs", [this] {
+              verify_.scene     = run.scene;
+              verify_.overrides = run.overrides;
+              verify_command(verify_, run.quiet, mpi_, out_);
+            });
+        command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        command
+            ->add_option("--quantity", verify_.quantities,
+                         "A value: a column of a table that runs write, its last value or, with :largest, :smallest or \":at TIME\" after "
+                         "it, that one; may be repeated")
+            ->required()
+            ->allow_extra_args(false)
+            ->type_name("FILE:COLUMN");
+        command->add_option("--out", verify_.folder, "Where to write; default: results/ and \"SCENE verify\"")->type_name("DIR");
+        command->add_option("--at-most", verify_.at_most, "CPU time of a run over that of the scene; dearer ones are left out")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str();
+        command->add_option("--ranks", verify_.ranks, "MPI ranks of each run")->check(at_least_one())->capture_default_str();
+        command->add_option("--jobs", verify_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
+        command->add_flag("--retry", verify_.retry, "Runs again what failed");
+        command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
+        add_overrides(command);
+      }
+
       void add_compare()
       {
         CLI::App *command =
@@ -269,6 +297,7 @@ namespace myolines
       std::string           topic_, name_;
       FlexodealOptions      flexodeal_;
       study::Options        study_;
+      study::VerifyOptions  verify_;
       CompareOptions        compare_;
       study::PlotOptions    plot_;
       std::filesystem::path modes_, mesh_;
@@ -298,8 +327,9 @@ namespace myolines
   int program(const int argc, const char *const *argv, MpiSession &mpi)
   {
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told where it is written
-    const bool is_study = argc > 1 && std::string(argv[1]) == "study";
-    if (!is_study || MpiSession::is_rank_of_a_job())
+    const std::string command          = argc > 1 ? argv[1] : "";
+    const bool        starts_processes = command == "study" || command == "verify";
+    if (!starts_processes || MpiSession::is_rank_of_a_job())
       {
         struct sigaction hang_up
         {

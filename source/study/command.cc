@@ -9,14 +9,10 @@
 #include <myolines/study/results.h>
 #include <myolines/study/runner.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iomanip>
 #include <set>
-#include <thread>
 
 namespace myolines::study
 {
@@ -180,31 +176,6 @@ namespace myolines::study
       out << "Wrote " << file.string() << "; its first lines say how to use it.\n";
     }
 
-    RunnerOptions runner_options(const Options &options, const Study &study, const std::filesystem::path &folder)
-    {
-      RunnerOptions runner;
-      runner.program     = options.program;
-      runner.run_in_copy = options.run_in_copy;
-      runner.folder      = folder;
-      runner.jobs        = options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency() / study.ranks);
-      runner.retry       = options.retry;
-      runner.resolve     = [&options, &study](const Case &which) { return resolved(options, study, which); };
-      if (options.fitting_jobs)
-        runner.fitting_jobs = [&options, &study](const unsigned int jobs) {
-          return options.fitting_jobs(jobs, study.ranks, options.jobs > 0);
-        };
-      runner.stop_signal = options.stop_signal;
-      runner.terminal    = options.terminal;
-      return runner;
-    }
-
-    void throw_if_open(const RunnerReport &report)
-    {
-      if (!report.why_open.empty())
-        throw Interrupted("stopped: " + report.why_open + "; " + std::to_string(report.n_open) +
-                          " cases are open. The same command goes on with them");
-    }
-
     void run_part(const std::vector<Case> &cases, const Study &study, const Part &part, const RunnerOptions &runner)
     {
       const std::string name = "part-" + std::to_string(part.number) + "-of-" + std::to_string(part.of);
@@ -234,8 +205,9 @@ namespace myolines::study
       if (const auto all = versions(rows); all.size() > 1)
         out << "Warning: the cases were computed by different versions of the program: "
             << join(std::vector<std::string>(all.begin(), all.end())) << "\n";
-      out << "Results are in " << runner.folder.string() << ": study.csv, seconds.csv, study.sqlite; pictures: "
-          << shell_text({runner.program.string(), "plot", runner.folder.string()}) << "\n";
+      out << "Results are in " << runner.folder.string()
+          << ": study.csv, seconds.csv, study.sqlite; pictures: " << shell_text({runner.program.string(), "plot", runner.folder.string()})
+          << "\n";
     }
   } // namespace
 
@@ -251,9 +223,7 @@ namespace myolines::study
 
   void study_command(const Options &options, std::ostream &out)
   {
-    if (dealii::Utilities::MPI::job_supports_mpi() && dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-      throw InputError(InputProblem{"mpirun", "a study is started as one process, which starts the runs", "myolines study ...",
-                                    "--emit mpi writes a script for many ranks"});
+    require_one_process("study", "--emit mpi writes a script for many ranks");
     const scene::Node       node  = read_study_file(options.file, options.overrides);
     const Study             study = read_study(node);
     const std::vector<Case> cases = expand(study);
@@ -268,7 +238,8 @@ namespace myolines::study
     });
     if (!options.emit.empty())
       return write_script(options, study, folder, out);
-    const RunnerOptions runner = runner_options(options, study, folder);
+    RunnerOptions runner = runner_options(options, study, folder);
+    runner.resolve       = [&options, &study](const Case &which) { return resolved(options, study, which); };
     if (!options.part.empty())
       return run_part(cases, study, read_part(options.part), runner);
     run_whole(cases, study, runner, options.start_mpi, out);

@@ -52,6 +52,15 @@ namespace myolines
     std::vector<scene::Setting> settings; ///< what makes it of the example
   };
 
+  /// Parameters of the mesh, by their paths in the list `system`; "" for none.
+  struct MeshParameters
+  {
+    std::string cells{};        ///< "elements"
+    bool        halves = false; ///< one more halves all cells; otherwise it is their number
+    std::string degree{};       ///< of the elements
+    std::string quadrature{};   ///< points per direction, which follow the degree
+  };
+
   /// What a kind of system brings to scenes, help and templates.
   struct SystemEntry
   {
@@ -62,6 +71,7 @@ namespace myolines
     std::vector<SystemVariant>                                        variants; ///< what methods may take or not, the example itself first
     std::function<AssembledSystem(const scene::Node &, WorkLedger &)> make;
     std::function<SizeEstimate(const scene::Node &, unsigned int ranks)> size;
+    MeshParameters                                                       mesh;
   };
 
   /// All systems, in the order of `myolines list systems`. A new system is one more entry here.

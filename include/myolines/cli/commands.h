@@ -2,6 +2,7 @@
 
 #include <myolines/cli/mpi_session.h>
 #include <myolines/study/command.h>
+#include <myolines/study/verify.h>
 
 #include <filesystem>
 #include <optional>
@@ -54,6 +55,9 @@ namespace myolines
   /// Runs the study that @p options describe as runs of this program; what they leave open is set here. Cases of one rank run in copies
   /// of this process unless @p mpi was started, so that the libraries are loaded once.
   void study_command(study::Options options, bool quiet, MpiSession &mpi, std::ostream &out);
+
+  /// Estimates the errors of steps and mesh of a scene; what @p options leave open is set here. Runs are started as above.
+  void verify_command(study::VerifyOptions options, bool quiet, MpiSession &mpi, std::ostream &out);
 
   /// The words `list` accepts.
   std::vector<std::string> list_topics();

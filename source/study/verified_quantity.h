@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace myolines::study
+{
+  /// A number that is read off a column of a time series.
+  struct VerifiedQuantity
+  {
+    enum class Take
+    {
+      last,
+      largest,
+      smallest,
+      at ///< linear between rows
+    };
+    std::string text;         ///< as it was given
+    std::string file, column; ///< the column by its header, or without unit
+    Take        take = Take::last;
+    double      time = 0; ///< [s]
+  };
+
+  /// "FILE:COLUMN", with ":last", ":largest", ":smallest" or ":at TIME" after it. @throws InputError.
+  VerifiedQuantity read_verified_quantity(const std::string &text);
+
+  /// A value with the header of its column.
+  struct NamedValue
+  {
+    std::string header; ///< "moving end x [N]"
+    double      value;
+  };
+
+  /// The value in the run in @p folder. @throws InputError with the nearest names if the run does not have it.
+  NamedValue value_in_run(const VerifiedQuantity &quantity, const std::filesystem::path &folder);
+
+  /// "last", "at 0.1 s".
+  std::string words_of(const VerifiedQuantity &quantity);
+} // namespace myolines::study
