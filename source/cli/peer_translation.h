@@ -1,0 +1,44 @@
+#pragma once
+
+#include "peer_parameters.h"
+
+#include <myolines/cli/flexodeal.h>
+#include <myolines/scene/scene.h>
+
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// A scene that grows out of Flexodeal's files, and where its parameters are from.
+  class PeerTranslation
+  {
+  public:
+    PeerTranslation(const FlexodealOptions &options, std::ostream &out);
+
+    void set(const std::string &path, const std::string &text, const std::string &origin = "");
+
+    /// The text of an entry that must be there becomes that of the parameter at @p path.
+    void take(const std::string &section, const std::string &name, const std::string &path);
+
+    /// @p file as the scene has to name it.
+    std::string from_scene(const std::filesystem::path &file) const;
+
+    const std::vector<scene::Setting> &settings() const { return settings_; }
+
+    /// Problems of the scene @p name as problems of the files that it is made of.
+    InputError at_origins(const InputError &error, const std::string &name) const;
+
+    const FlexodealOptions &options;
+    std::ostream           &out; ///< for what a person should know
+    PeerParameters          peer;
+
+  private:
+    std::string origin_of(std::string path) const;
+
+    std::vector<scene::Setting>        settings_;
+    std::map<std::string, std::string> origins_; ///< of parameters, by path
+  };
+} // namespace myolines
