@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace myolines
 {
@@ -83,7 +84,7 @@ namespace myolines
       return takes_ramp(t, "Prescribed displacement", {"Pull strain", "Pull strain rate", "Pull time start", "Pull time end"},
                         t.options.strain, "STRAIN.dat")
                  ? strain_ramp(t.peer, t.peer.positive("Geometry", "Length") * t.peer.positive("Geometry", "Grid scale"))
-                 : read_control_points(t.options.strain, "strain", scene::Range{-1, 1e9, true, false});
+                 : read_control_points(t.options.strain, "strain", scene::Range{-1, std::numeric_limits<double>::infinity(), true, false});
     }
 
     PeerProfile activation_of(PeerTranslation &t)
@@ -208,12 +209,17 @@ namespace myolines
       const PrmEntry *list = t.peer.optional("Measuring locations", "Markers list file");
       if (list != nullptr && t.options.markers.empty())
         t.out << "not carried over: Measuring locations / Markers list file = " << list->text << " (give the file with --markers)\n";
-      const std::vector<std::string> markers = read_peer_markers(t.options.markers, t.peer);
-      if (markers.empty() && !t.options.markers.empty())
-        t.out << "no markers in " << t.options.markers.string() << "\n";
+      const std::string        path = "output/series/markers";
+      std::vector<std::string> markers;
+      for (const PeerMarker &marker : read_peer_markers(t.options.markers, t.peer))
+        {
+          markers.push_back(marker.name + " " + marker.position);
+          t.set_origin(path, marker.name, marker.origin);
+        }
       if (!markers.empty())
-        t.set("output/series/markers", join(markers, "; "),
-              (t.options.markers.empty() ? t.options.parameters : t.options.markers).string());
+        t.set(path, join(markers, "; "));
+      else if (!t.options.markers.empty())
+        t.out << "no markers in " << t.options.markers.string() << "\n";
     }
 
     PeerBody translate(PeerTranslation &t)

@@ -52,20 +52,22 @@ namespace myolines
 
     void add_mesh(PeerTranslation &t, PeerBody &body, const double scale)
     {
-      const std::string where = t.options.mesh.string();
+      const std::string where = "command line: --mesh";
       const PrmEntry   &given = t.peer.needed("Geometry", "Grid scale");
       const auto        mesh  = std::make_shared<const MeshBody>(t.options.mesh, scale, where);
       body.geometry.mesh      = mesh;
       for (unsigned int c = 0; c < 3; ++c)
         body.geometry.size[c] = mesh->high[c] - mesh->low[c];
-      if (const std::string wrong = implausible_size(body.geometry); !wrong.empty())
+      if (!implausible_size(body.geometry).empty())
         {
-          const double factor = probable_scale(body.geometry);
+          const auto [least, most] = std::minmax_element(body.geometry.size.begin(), body.geometry.size.end());
+          const double factor      = probable_scale(body.geometry);
           t.peer.refuse(given, "the factor that makes metres of the coordinates of the mesh",
-                        wrong + (factor == 0 ? "" : ". Probably right: set Grid scale = " + format_number(factor * scale)));
+                        "the mesh would be " + format_number(*most) + " m long and " + format_number(*least) + " m thin" +
+                            (factor == 0 ? "" : "; probably right: set Grid scale = " + format_number(factor * scale)));
         }
       t.set("system/geometry/type", "mesh");
-      t.set("system/geometry/file", t.from_scene(t.options.mesh), where);
+      t.set("system/geometry/file", t.from_scene(t.options.mesh), t.options.mesh.string());
       t.set("system/geometry/scale", format_number(scale), t.peer.where(given));
       change_refinement(t, body, 0, "Flexodeal does not refine meshes of files");
     }
@@ -83,7 +85,8 @@ namespace myolines
       body.table_directions = table.has_directions();
       for (const unsigned int id : table.tissues())
         body.tissues.push_back(tissue_kinds()[id - 1].name);
-      t.set("system/fields/table", t.from_scene(t.options.points), t.options.points.string());
+      t.set("system/fields/table", t.from_scene(t.options.points));
+      t.set_origin("system/fields", "", t.options.points.string());
     }
 
     /// Fibres in a mesh have the directions of the body of the parameters, where no table says otherwise.
@@ -146,8 +149,9 @@ namespace myolines
 
   void add_fibres(PeerTranslation &t, const PeerBody &body)
   {
-    const bool angle = t.peer.has("Geometry", "Pennation angle");
-    t.set("system/fibres/type", angle ? "pennation angle" : "direction");
+    const bool      angle = t.peer.has("Geometry", "Pennation angle");
+    const PrmEntry *along = angle ? nullptr : t.peer.optional("Materials", "Muscle x component");
+    t.set("system/fibres/type", angle ? "pennation angle" : "direction", along != nullptr ? t.peer.where(*along) : "");
     if (angle)
       {
         if (body.geometry.mesh)

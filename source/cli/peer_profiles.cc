@@ -4,6 +4,7 @@
 #include <myolines/scene/numbers.h>
 
 #include <cmath>
+#include <utility>
 
 namespace myolines
 {
@@ -110,29 +111,26 @@ namespace myolines
     return pressures;
   }
 
-  std::vector<std::string> read_peer_markers(const std::filesystem::path &file, PeerParameters &peer)
+  std::vector<PeerMarker> read_peer_markers(const std::filesystem::path &file, PeerParameters &peer)
   {
-    std::vector<std::string> markers;
-    std::error_code          ignored;
+    std::vector<PeerMarker> markers;
+    std::error_code         ignored;
     if (!file.empty() && !(std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) == 0))
       for (const PrmRow &row : read_rows(file))
         {
           refuse_odd_row(file, row, 1, 4, "\"name x y z\" with coordinates in metres");
-          markers.push_back(join(row.words, " "));
+          markers.push_back(
+              {row.words[0], row.words[1] + " " + row.words[2] + " " + row.words[3], file.string() + ", line " + std::to_string(row.line)});
         }
     const std::string section = "Measuring locations";
-    for (const std::string place : {"Left", "Mid", "Right"})
+    for (const auto &[place, name] : {std::pair{"Left", "left"}, {"Mid", "mid"}, {"Right", "right"}})
       {
-        bool given = false;
-        for (const char *axis : {" X", " Y", " Z"})
-          given = given || peer.has(section, place + axis);
-        if (!given)
-          continue;
-        std::string marker(1, static_cast<char>(std::tolower(place[0])));
-        marker += place.substr(1);
-        for (const char *axis : {" X", " Y", " Z"})
-          marker += " " + format_number(peer.number(section, place + axis));
-        markers.push_back(marker);
+        const std::string x = std::string(place) + " X", y = std::string(place) + " Y", z = std::string(place) + " Z";
+        if (peer.has(section, x) || peer.has(section, y) || peer.has(section, z))
+          markers.push_back({name,
+                             format_number(peer.number(section, x)) + " " + format_number(peer.number(section, y)) + " " +
+                                 format_number(peer.number(section, z)),
+                             peer.where(peer.needed(section, x))});
       }
     return markers;
   }

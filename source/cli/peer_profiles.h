@@ -39,7 +39,13 @@ namespace myolines
   /// pull.
   std::vector<PeerPressure> read_pressures(const std::filesystem::path &file);
 
-  /// Points "name x y z" whose displacements are written: those of @p file, which may be empty, and the three that older versions have
-  /// among their parameters, left, mid and right.
-  std::vector<std::string> read_peer_markers(const std::filesystem::path &file, PeerParameters &peer);
+  /// A point whose displacement is written.
+  struct PeerMarker
+  {
+    std::string name, position; ///< "x y z"
+    std::string origin;
+  };
+
+  /// The points of @p file, which may be empty, and the three that older versions have among their parameters: left, mid and right.
+  std::vector<PeerMarker> read_peer_markers(const std::filesystem::path &file, PeerParameters &peer);
 } // namespace myolines

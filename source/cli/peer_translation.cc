@@ -12,7 +12,12 @@ namespace myolines
   {
     settings_.push_back({path, text});
     if (!origin.empty())
-      origins_[path] = origin;
+      origins_.push_back({path, "", origin});
+  }
+
+  void PeerTranslation::set_origin(const std::string &path, const std::string &word, const std::string &origin)
+  {
+    origins_.insert(origins_.begin(), {path, word.empty() ? "" : "\"" + word + "\"", origin});
   }
 
   void PeerTranslation::take(const std::string &section, const std::string &name, const std::string &path)
@@ -27,12 +32,13 @@ namespace myolines
   }
 
   /// That of the parameter, or of the innermost list around it that has one.
-  std::string PeerTranslation::origin_of(std::string path) const
+  std::string PeerTranslation::origin_of(std::string path, const std::string &what) const
   {
     for (;;)
       {
-        if (const auto found = origins_.find(path); found != origins_.end())
-          return found->second;
+        for (const Origin &origin : origins_)
+          if (origin.path == path && what.find(origin.word) != std::string::npos)
+            return origin.where;
         const std::size_t slash = path.rfind('/');
         if (slash == std::string::npos)
           return "";
@@ -44,12 +50,14 @@ namespace myolines
   {
     std::vector<InputProblem> problems = error.problems();
     for (InputProblem &problem : problems)
-      if (problem.where.rfind(name + ": ", 0) == 0)
-        {
-          const std::string path   = problem.where.substr(name.size() + 2);
-          const std::string origin = origin_of(path);
-          problem.where            = origin.empty() ? options.parameters.string() + ": " + path + " of the scene" : origin;
-        }
+      {
+        const bool        in_scene = problem.where.rfind(name + ": ", 0) == 0;
+        const std::string path     = in_scene ? problem.where.substr(name.size() + 2) : problem.where;
+        if (const std::string origin = origin_of(path, problem.what); !origin.empty())
+          problem.where = origin;
+        else if (in_scene)
+          problem.where = options.parameters.string() + ": " + path + " of the scene";
+      }
     return InputError(problems);
   }
 } // namespace myolines

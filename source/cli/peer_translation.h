@@ -5,7 +5,6 @@
 #include <myolines/cli/flexodeal.h>
 #include <myolines/scene/scene.h>
 
-#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -19,6 +18,9 @@ namespace myolines
     PeerTranslation(const FlexodealOptions &options, std::ostream &out);
 
     void set(const std::string &path, const std::string &text, const std::string &origin = "");
+
+    /// Problems of the parameter or list at @p path that name @p word in quotes, or of all of it, are those of @p origin.
+    void set_origin(const std::string &path, const std::string &word, const std::string &origin);
 
     /// The text of an entry that must be there becomes that of the parameter at @p path.
     void take(const std::string &section, const std::string &name, const std::string &path);
@@ -36,9 +38,14 @@ namespace myolines
     PeerParameters          peer;
 
   private:
-    std::string origin_of(std::string path) const;
+    std::string origin_of(std::string path, const std::string &what) const;
 
-    std::vector<scene::Setting>        settings_;
-    std::map<std::string, std::string> origins_; ///< of parameters, by path
+    struct Origin
+    {
+      std::string path, word, where;
+    };
+
+    std::vector<scene::Setting> settings_;
+    std::vector<Origin>         origins_; ///< of parameters; those of words in them come first
   };
 } // namespace myolines
