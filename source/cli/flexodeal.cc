@@ -1,261 +1,175 @@
-#include <myolines/base/error.h>
+#include "peer_body.h"
+#include "peer_profiles.h"
+
 #include <myolines/base/names.h>
-#include <myolines/cli/catalogue.h>
+#include <myolines/base/scratch_folder.h>
+#include <myolines/cli/experiment.h>
 #include <myolines/cli/flexodeal.h>
-#include <myolines/cli/prm_file.h>
-#include <myolines/muscle3d/plausibility.h>
+#include <myolines/muscle3d/activation.h>
 #include <myolines/output/text_file.h>
-#include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/time/step_control.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
+#include <limits>
 
 namespace myolines
 {
   namespace
   {
     using scene::format_number;
-    using scene::parse_number;
-    using Settings = std::vector<scene::Setting>;
 
-    /// An entry of the peer's file: where it goes, or why it goes nowhere.
-    struct Rule
+    const std::string moving_end = "system/boundary/moving end", fixed_end = "system/boundary/fixed end";
+
+    /// The law is that of Yeoh where it has more than one constant. Returns whether there is fat.
+    bool add_fat(PeerTranslation &t)
     {
-      const char *section;
-      const char *name;
-      const char *path = ""; ///< of the parameter that takes the text as it is; "" if it is handled by itself
-      const char *lost = ""; ///< why it has no counterpart
-    };
-
-    const char *const own_solver   = "the solvers here have settings of their own";
-    const char *const other_output = "outputs are chosen in the list \"output\"";
-
-    const std::vector<Rule> common_rules{
-        {"Finite element system", "Polynomial degree", "system/discretisation/degree"},
-        {"Finite element system", "Quadrature order", "system/discretisation/quadrature points"},
-        {"Finite element system", "Type of simulation", "system/inertia"},
-        {"Geometry", "Global refinement"},
-        {"Geometry", "Grid scale"},
-        {"Geometry", "Pressure ratio p/p0", "", "imported scenes have no pressure load"},
-        {"Linear solver", "Max iteration multiplier", "", own_solver},
-        {"Linear solver", "Residual", "", own_solver},
-        {"Linear solver", "Use static condensation", "", "pressure and dilatation are always eliminated"},
-        {"Linear solver", "Preconditioner type", "", own_solver},
-        {"Linear solver", "Preconditioner relaxation", "", own_solver},
-        {"Linear solver", "Solver type", "", own_solver},
-        {"Materials", "Muscle density", "system/tissues/muscle/density"},
-        {"Materials", "Sigma naught muscle", "system/tissues/muscle/fibre/maximum isometric stress"},
-        {"Materials", "Bulk modulus muscle", "system/tissues/muscle/bulk modulus"},
-        {"Materials", "Max strain rate", "system/tissues/muscle/fibre/maximum strain rate"},
-        {"Materials", "Sigma naught base material", "system/tissues/muscle/base/stress scale"},
-        {"Materials", "Muscle base material factor", "system/tissues/muscle/base/factor"},
-        {"Materials", "Muscle base material constant 1", "system/tissues/muscle/base/c1"},
-        {"Materials", "Muscle base material constant 2", "system/tissues/muscle/base/c2"},
-        {"Materials", "Muscle base material constant 3", "system/tissues/muscle/base/c3"},
-        {"Nonlinear solver", "Nonlinear solver type", "", own_solver},
-        {"Nonlinear solver", "Max iterations Newton-Raphson", "solver/nonlinear/maximum iterations"},
-        {"Nonlinear solver", "Tolerance displacement", "", "convergence is judged by the residual"},
-        {"Nonlinear solver", "Tolerance force", "solver/nonlinear/absolute tolerance"},
-        {"Time", "End time"},
-        {"Time", "Time step size"},
-        {"Prescribed displacement", "Pulling face ID"},
-        {"Measuring locations", "Markers list file"},
-        {"Output binary files", "Output binary files main variables", "", other_output},
-        {"Output binary files", "Output binary files tensors", "", other_output},
-    };
-
-    /// Flexodeal Lite: a block of muscle with one fibre direction.
-    const std::vector<Rule> lite_rules{
-        {"Geometry", "Length"},
-        {"Geometry", "Width"},
-        {"Geometry", "Height"},
-        {"Materials", "Muscle x component", "system/fibres/x"},
-        {"Materials", "Muscle y component", "system/fibres/y"},
-        {"Materials", "Muscle z component", "system/fibres/z"},
-    };
-
-    const char *const no_tendon = "the idealised gastrocnemius has no cells of tendon";
-
-    /// Flexodeal: the idealised gastrocnemius with aponeurosis and fat.
-    const std::vector<Rule> full_rules{
-        {"Geometry", "Muscle length"},
-        {"Geometry", "Aponeurosis length"},
-        {"Geometry", "Aponeurosis height"},
-        {"Geometry", "Muscle width"},
-        {"Geometry", "Pennation angle", "system/geometry/pennation angle"},
-        {"Materials", "Sigma naught aponeurosis", "system/tissues/aponeurosis/fibre/stress scale"},
-        {"Materials", "Bulk modulus aponeurosis", "system/tissues/aponeurosis/bulk modulus"},
-        {"Materials", "Sigma naught aponeurosis base material", "system/tissues/aponeurosis/base/stress scale"},
-        {"Materials", "Aponeurosis base material factor", "system/tissues/aponeurosis/base/factor"},
-        {"Materials", "Aponeurosis base material constant 1", "system/tissues/aponeurosis/base/c1"},
-        {"Materials", "Aponeurosis base material constant 2", "system/tissues/aponeurosis/base/c2"},
-        {"Materials", "Aponeurosis base material constant 3", "system/tissues/aponeurosis/base/c3"},
-        {"Materials", "Sigma naught tendon", "", no_tendon},
-        {"Materials", "Bulk modulus tendon", "", no_tendon},
-        {"Materials", "Sigma naught tendon base material", "", no_tendon},
-        {"Materials", "Tendon base material factor", "", no_tendon},
-        {"Materials", "Tendon base material constant 1", "", no_tendon},
-        {"Materials", "Tendon base material constant 2", "", no_tendon},
-        {"Materials", "Tendon base material constant 3", "", no_tendon},
-        {"Materials", "Bulk modulus fat", "system/tissues/muscle/fat/bulk modulus"},
-        {"Materials", "Fat factor", "system/tissues/muscle/fat/factor"},
-        {"Materials", "Fat constant 1", "system/tissues/muscle/fat/c1"},
-        {"Materials", "Fat fraction"}, // some versions have it in the table of points alone
-        {"Materials", "QP list filename"},
-    };
-
-    /// The peer's parameters, each known and there.
-    class PeerParameters
-    {
-    public:
-      explicit PeerParameters(const std::filesystem::path &file)
-        : file_(file.string())
-        , entries_(read_prm(file))
-        , full_(find("Geometry", "Muscle length") != nullptr)
-        , rules_(common_rules)
-      {
-        const std::vector<Rule> &more = full_ ? full_rules : lite_rules;
-        rules_.insert(rules_.end(), more.begin(), more.end());
-        std::vector<InputProblem> problems;
-        refuse_unknown(problems);
-        refuse_missing(problems);
-        if (!problems.empty())
-          throw InputError(problems);
-      }
-
-      /// Whether these are parameters of the complete program, else of Flexodeal Lite.
-      bool                     full() const { return full_; }
-      const std::vector<Rule> &rules() const { return rules_; }
-
-      const PrmEntry *find(const std::string &section, const std::string &name) const
-      {
-        for (const PrmEntry &entry : entries_)
-          if (entry.section == section && entry.name == name)
-            return &entry;
-        return nullptr;
-      }
-
-      const std::string &text(const std::string &section, const std::string &name) const { return find(section, name)->text; }
-
-      double positive(const std::string &section, const std::string &name) const
-      {
-        const auto value = parse_number(text(section, name));
-        if (!value || !(*value > 0))
-          refuse(section, name, "a number > 0");
-        return *value;
-      }
-
-      int integer(const std::string &section, const std::string &name, const int low, const int high) const
-      {
-        const auto value = scene::parse_integer(text(section, name));
-        if (!value || *value < low || *value > high)
-          refuse(section, name, "an integer in [" + std::to_string(low) + ", " + std::to_string(high) + "]");
-        return *value;
-      }
-
-      [[noreturn]] void refuse(const std::string &section, const std::string &name, const std::string &expected,
-                               const std::string &hint = "") const
-      {
-        const PrmEntry &entry = *find(section, name);
-        throw InputError(InputProblem{file_ + ", line " + std::to_string(entry.line),
-                                      name + " = \"" + entry.text + "\" cannot be carried over", expected, hint});
-      }
-
-    private:
-      void refuse_unknown(std::vector<InputProblem> &problems) const
-      {
-        for (const PrmEntry &entry : entries_)
-          {
-            bool                     known = false;
-            std::vector<std::string> names;
-            for (const Rule &rule : rules_)
-              {
-                known = known || (entry.section == rule.section && entry.name == rule.name);
-                if (entry.section == rule.section)
-                  names.push_back(rule.name);
-              }
-            if (!known)
-              problems.push_back({file_ + ", line " + std::to_string(entry.line),
-                                  "unknown entry \"" + entry.name + "\" in subsection \"" + entry.section + "\"",
-                                  std::string("an entry of Flexodeal") + (full_ ? "" : " Lite"),
-                                  nearest_hint(entry.name, names, "nearest valid name")});
-          }
-      }
-
-      /// What is not carried over may be absent.
-      void refuse_missing(std::vector<InputProblem> &problems) const
-      {
-        const unsigned int last = entries_.empty() ? 1 : entries_.back().line;
-        for (const Rule &rule : rules_)
-          if (rule.lost[0] == '\0' && !may_be_absent(rule.name) && find(rule.section, rule.name) == nullptr)
-            problems.push_back({file_ + ", line " + std::to_string(last),
-                                std::string("up to here, \"") + rule.name + "\" of subsection \"" + rule.section + "\" is not set",
-                                "set " + std::string(rule.name) + " = VALUE", ""});
-      }
-
-      static bool may_be_absent(const std::string &name)
-      {
-        return name == "Markers list file" || name == "Fat fraction" || name == "QP list filename";
-      }
-
-      std::string           file_;
-      std::vector<PrmEntry> entries_;
-      bool                  full_;
-      std::vector<Rule>     rules_;
-    };
-
-    void add_profile(Settings &settings, const std::string &path, const std::filesystem::path &file)
-    {
-      settings.push_back({path + "/type", "control points"});
-      settings.push_back({path + "/points", join(read_rows(file, 0, 2, "\"t value\", two finite numbers"), "; ")});
+      const std::string fat = "system/tissues/muscle/fat/";
+      if (!t.peer.has("Materials", "Bulk modulus fat") && !t.peer.has("Materials", "Fat fraction"))
+        return false;
+      const bool yeoh = t.peer.has("Materials", "Fat constant 2") || t.peer.has("Materials", "Fat constant 3");
+      t.set(fat + "type", yeoh ? "yeoh" : "neo-hookean");
+      if (yeoh)
+        {
+          t.take("Materials", "Fat constant 2", fat + "c2");
+          t.take("Materials", "Fat constant 3", fat + "c3");
+        }
+      if (t.peer.has("Materials", "Fat fraction"))
+        t.take("Materials", "Fat fraction", fat + "fraction");
+      else
+        t.set(fat + "fraction", "0"); // it is in the table of points
+      return true;
     }
 
-    void add_mesh(Settings &settings, const PeerParameters &peer, const FlexodealOptions &options)
+    /// What is taken as it is: materials of the tissues that the body has, element and solver.
+    void add_taken(PeerTranslation &t, const PeerBody &body)
     {
-      settings.push_back({"system/geometry/type", "mesh"});
-      settings.push_back({"system/geometry/file", std::filesystem::proximate(options.mesh, options.scene.parent_path()).string()});
-      settings.push_back({"system/geometry/scale", format_number(peer.positive("Geometry", "Grid scale"))});
-      settings.push_back({"system/geometry/refinement", std::to_string(peer.integer("Geometry", "Global refinement", 0, 8))});
-      settings.push_back({"system/line of action/from", options.ends[0]});
-      settings.push_back({"system/line of action/to", options.ends[1]});
-      settings.push_back({"system/line of action/direction", "1 0 0"});
+      const bool fat = add_fat(t);
+      for (const PeerEntry &entry : peer_entries())
+        {
+          const std::string path = entry.note;
+          const auto        of   = [&path](const std::string &list) { return path.rfind("system/tissues/" + list + "/", 0) == 0; };
+          const bool        idle =
+              (of("muscle/fat") && !fat) || (of("aponeurosis") && !body.has("aponeurosis")) || (of("tendon") && !body.has("tendon"));
+          if (entry.fate == PeerEntry::Fate::taken && !idle)
+            t.take(entry.section, entry.name, path);
+        }
     }
 
-    void add_geometry(Settings &settings, const PeerParameters &peer, std::ostream &out)
+    void set_profile(PeerTranslation &t, const std::string &path, const PeerProfile &profile)
     {
-      const std::vector<std::pair<const char *, const char *>> of_block{{"Length", "length"}, {"Width", "width"}, {"Height", "height"}},
-          of_gastrocnemius{{"Muscle length", "muscle length"},
-                           {"Aponeurosis length", "aponeurosis length"},
-                           {"Aponeurosis height", "aponeurosis height"},
-                           {"Muscle width", "width"}};
-      const double scale = peer.positive("Geometry", "Grid scale");
-      settings.push_back({"system/geometry/type", peer.full() ? "idealised gastrocnemius" : "block"});
-      for (const auto &[name, path] : peer.full() ? of_gastrocnemius : of_block)
-        settings.push_back({std::string("system/geometry/") + path, format_number(scale * peer.positive("Geometry", name))});
-      const int refinement = peer.integer("Geometry", "Global refinement", 0, 8);
-      if (refinement == 0)
-        out << "changed: Geometry / Global refinement = 0 becomes 1 (Flexodeal refines at least once)\n";
-      settings.push_back({"system/geometry/refinement", std::to_string(std::max(1, refinement))});
+      t.set(path + "/type", "control points", profile.origin);
+      t.set(path + "/points", profile.points, profile.origin);
     }
 
-    /// The line of action of the peer is x, so its ends are the faces 0 and 1.
-    void add_boundary(Settings &settings, const PeerParameters &peer, const FlexodealOptions &options)
+    /// Whether a ramp among the parameters is taken: a file of control points comes first. @throws InputError without both.
+    bool takes_ramp(PeerTranslation &t, const std::string &section, const std::vector<std::string> &names,
+                    const std::filesystem::path &file, const std::string &missing)
     {
-      const std::vector<std::string> ends   = options.mesh.empty() ? std::vector<std::string>{"x-", "x+"} : options.ends;
-      const int                      face   = peer.integer("Prescribed displacement", "Pulling face ID", 0, 1);
-      const std::string              moving = "system/boundary/moving end", fixed = "system/boundary/fixed end";
-      settings.push_back({moving + "/face", ends[face]});
-      settings.push_back({moving + "/type", "strain"});
-      settings.push_back({moving + "/components", "x y z"});
-      settings.push_back({moving + "/direction", face == 1 ? "1 0 0" : "-1 0 0"});
-      add_profile(settings, moving + "/strain", options.strain);
-      settings.push_back({fixed + "/face", ends[1 - face]});
-      settings.push_back({fixed + "/type", "fixed"});
-      settings.push_back({fixed + "/components", "x y z"});
+      if (file.empty() && !t.peer.has(section, names[0]))
+        throw InputError(InputProblem{"command line",
+                                      missing + " is not given, and " + t.options.parameters.string() + " has no " + names[0],
+                                      "import flexodeal PARAMETERS.prm STRAIN.dat ACTIVATION.dat --out SCENE.xml", ""});
+      if (file.empty())
+        return true;
+      for (const std::string &name : names)
+        if (const PrmEntry *entry = t.peer.optional(section, name))
+          t.out << "replaced by " << file.string() << ": " << section << " / " << name << " = " << entry->text << "\n";
+      return false;
+    }
+
+    PeerProfile strain_of(PeerTranslation &t)
+    {
+      return takes_ramp(t, "Prescribed displacement", {"Pull strain", "Pull strain rate", "Pull time start", "Pull time end"},
+                        t.options.strain, "STRAIN.dat")
+                 ? strain_ramp(t.peer, t.peer.positive("Geometry", "Length") * t.peer.positive("Geometry", "Grid scale"))
+                 : read_control_points(t.options.strain, "strain", scene::Range{-1, std::numeric_limits<double>::infinity(), true, false});
+    }
+
+    PeerProfile activation_of(PeerTranslation &t)
+    {
+      return takes_ramp(t, "Activation", {"Activation level", "Activation start", "Activation end"}, t.options.activation, "ACTIVATION.dat")
+                 ? activation_ramp(t.peer)
+                 : read_control_points(t.options.activation, "activation", activation_range);
+    }
+
+    /// In a mesh strains are parts of a length among the parameters.
+    void add_reference_length(PeerTranslation &t, const Geometry &geometry)
+    {
+      const double    length = t.peer.positive("Geometry", "Muscle length");
+      const PrmEntry &given  = t.peer.needed("Geometry", "Muscle length");
+      t.set(moving_end + "/reference length", format_number(length), t.peer.where(given));
+      if (std::abs(length - geometry.size[0]) > 0.1 * geometry.size[0])
+        t.out << "Warning: strains are parts of Muscle length = " << given.text << " m, as in Flexodeal; the mesh is " << geometry.size[0]
+              << " m long\n";
+    }
+
+    /// The face with the number @p boundary_id, or, of a mesh, that which --ends names in the place @p end.
+    std::string end_face(PeerTranslation &t, const PeerBody &body, const int boundary_id, const std::size_t end)
+    {
+      if (end < t.options.ends.size())
+        return t.options.ends[end];
+      const std::string face = body.face(boundary_id);
+      if (face.empty())
+        t.peer.refuse(t.peer.needed("Prescribed displacement", "Pulling face ID"), "the number of a face",
+                      (body.geometry.mesh ? "or --ends HELD PULLED, with the faces of the mesh: " : "the faces are, from 0 on: ") +
+                          body.faces());
+      return face;
+    }
+
+    /// Flexodeal holds the face 0 and moves the pulled one along x, its line of action.
+    void add_boundary(PeerTranslation &t, const PeerBody &body)
+    {
+      const int         pulled = t.peer.integer("Prescribed displacement", "Pulling face ID", 0, 255);
+      const std::string held   = end_face(t, body, 0, 0);
+      const std::string moved  = end_face(t, body, std::max(1, pulled), 1);
+      const std::string origin = t.options.ends.empty() ? t.options.mesh.string() : "command line: --ends";
+      const PeerProfile strain = strain_of(t);
+      if (body.geometry.mesh)
+        {
+          t.set("system/line of action/from", held, origin);
+          t.set("system/line of action/to", moved, origin);
+          t.set("system/line of action/direction", "1 0 0");
+        }
+      if (pulled == 0)
+        {
+          t.set("output/series/force face", held);
+          t.out << "changed: nothing is pulled, because Pulling face ID = 0 is the face that Flexodeal holds\n";
+        }
+      else
+        {
+          t.set(moving_end + "/face", moved, origin);
+          t.set(moving_end + "/type", "strain");
+          t.set(moving_end + "/components", "x y z");
+          t.set(moving_end + "/direction", "1 0 0");
+          if (body.geometry.mesh && t.peer.has("Geometry", "Muscle length"))
+            add_reference_length(t, body.geometry);
+          set_profile(t, moving_end + "/strain", strain);
+        }
+      t.set(fixed_end + "/face", held, origin);
+      t.set(fixed_end + "/type", "fixed");
+      t.set(fixed_end + "/components", "x y z");
+    }
+
+    /// Dead loads. The peer's positive pressures pull.
+    void add_pressures(PeerTranslation &t, const PeerBody &body)
+    {
+      if (t.options.pressures.empty())
+        return;
+      const std::string file = t.options.pressures.string();
+      for (const PeerPressure &pressure : read_pressures(t.options.pressures))
+        {
+          const std::string face = body.face(pressure.face), number = std::to_string(pressure.face);
+          const std::string path = "system/boundary/pressure on face " + number;
+          if (face.empty())
+            throw InputError(
+                InputProblem{file + ", line 1", "there is no face " + number, "numbers of faces", "the faces are: " + body.faces()});
+          t.set(path + "/face", face, file);
+          t.set(path + "/type", "pressure");
+          t.set(path + "/pressure", "-1");
+          set_profile(t, path + "/profile", {pressure.points, file});
+        }
     }
 
     double schedule_length(const std::string &steps)
@@ -267,109 +181,98 @@ namespace myolines
       return sum;
     }
 
-    void add_time(Settings &settings, const PeerParameters &peer, const std::string &steps, std::ostream &out)
+    void add_time(PeerTranslation &t)
     {
-      const double step = peer.positive("Time", "Time step size"), peer_end = peer.positive("Time", "End time");
-      const double whole = std::floor(peer_end / step + 1e-6);
+      const std::string &steps = t.options.steps;
+      const double       step = t.peer.positive("Time", "Time step size"), peer_end = t.peer.positive("Time", "End time");
+      const PrmEntry    &given_step = t.peer.needed("Time", "Time step size"), &given_end = t.peer.needed("Time", "End time");
+      const double       whole = std::floor(peer_end / step + 1e-6), end = steps.empty() ? whole * step : schedule_length(steps);
       if (steps.empty() && whole < 1)
-        peer.refuse("Time", "End time", "at least one time step");
-      settings.push_back({"time/end", format_number(steps.empty() ? whole * step : schedule_length(steps))});
-      settings.push_back(steps.empty() ? scene::Setting{"time/step", peer.text("Time", "Time step size")}
-                                       : scene::Setting{"time/steps", steps});
-      if (steps.empty() && std::abs(whole * step - peer_end) > 1e-4 * step)
-        out << "changed: Time / End time = " << peer.text("Time", "End time") << " is no whole number of steps; the scene ends at "
-            << format_number(whole * step) << " s\n";
-      settings.push_back({"time/boundary rates", "scheme"});
-      settings.push_back({"time/start velocity", "impulse"});
-      settings.push_back({"time/events", "ignore"});
+        t.peer.refuse(given_end, "at least one time step");
       if (!steps.empty())
-        out << "replaced by --steps: Time / Time step size = " << peer.text("Time", "Time step size")
-            << ", End time = " << peer.text("Time", "End time") << "\n";
-    }
-
-    void name_what_is_lost(const PeerParameters &peer, const bool markers, const bool points, std::ostream &out)
-    {
-      for (const Rule &rule : peer.rules())
-        if (const PrmEntry *entry = peer.find(rule.section, rule.name); entry != nullptr && rule.lost[0] != '\0')
-          out << "not carried over: " << rule.section << " / " << rule.name << " = " << entry->text << " (" << rule.lost << ")\n";
-      if (const PrmEntry *entry = peer.find("Measuring locations", "Markers list file"); entry != nullptr && !markers)
-        out << "not carried over: Measuring locations / Markers list file = " << entry->text << " (give the file with --markers)\n";
-      if (const PrmEntry *entry = peer.find("Materials", "QP list filename"); entry != nullptr && !points)
-        out << "not carried over: Materials / QP list filename = " << entry->text << " (give the file with --qp-table)\n";
-    }
-
-    /// Without a mesh the body is the gastrocnemius between its layers.
-    bool has_aponeurosis(const FlexodealOptions &options)
-    {
-      if (options.mesh.empty())
-        return true;
-      const std::vector<std::string> tissues = MeshBody(options.mesh, 1, options.mesh.string()).tissues;
-      return std::find(tissues.begin(), tissues.end(), "aponeurosis") != tissues.end();
-    }
-
-    Settings translate(const FlexodealOptions &options, const PeerParameters &peer, std::ostream &out)
-    {
-      const std::string inertia = peer.text("Finite element system", "Type of simulation");
-      Settings          settings{{"title", "Imported from " + options.parameters.filename().string()},
-                        {"system/type", "muscle 3d"},
-                        {"integrator/type", inertia == "dynamic" ? "backward euler" : "static"},
-                        {"solver/nonlinear/relative tolerance", "1e-10"}, // so that the absolute one decides, as in the peer
-                        {"output/series/slab", "whole cells"},
-                        {"system/fibres/type", peer.full() ? "pennation angle" : "direction"}};
-      if (peer.full())
-        {
-          const PrmEntry *fat = peer.find("Materials", "Fat fraction");
-          settings.push_back({"system/tissues/muscle/fat/type", "neo-hookean"});
-          settings.push_back({"system/tissues/muscle/fat/fraction", fat != nullptr ? fat->text : "0"});
-        }
-      const std::string pennation = "system/geometry/pennation angle", layers = "system/tissues/aponeurosis";
-      for (const Rule &rule : peer.rules())
-        if (std::string path = rule.path; !path.empty() && (path.rfind(layers, 0) != 0 || has_aponeurosis(options)))
-          {
-            if (path == pennation && !options.mesh.empty())
-              path = "system/fibres/angle";
-            settings.push_back({path, peer.text(rule.section, rule.name)});
-          }
-      if (options.mesh.empty())
-        add_geometry(settings, peer, out);
+        t.out << "replaced by --steps: Time / Time step size = " << given_step.text << ", End time = " << given_end.text << "\n";
+      else if (std::abs(end - peer_end) > 1e-4 * step)
+        t.out << "changed: Time / End time = " << given_end.text << " is no whole number of steps; the scene ends at " << format_number(end)
+              << " s\n";
+      t.set("time/end", format_number(end), t.peer.where(given_end));
+      if (steps.empty())
+        t.set("time/step", given_step.text, t.peer.where(given_step));
       else
-        add_mesh(settings, peer, options);
-      add_boundary(settings, peer, options);
-      add_profile(settings, "system/activation", options.activation);
-      add_time(settings, peer, options.steps, out);
-      if (!options.points.empty())
-        {
-          const PointProperties readable(options.points);
-          settings.push_back({"system/fields/table", std::filesystem::proximate(options.points, options.scene.parent_path()).string()});
-        }
-      if (!options.markers.empty())
-        settings.push_back(
-            {"output/series/markers", join(read_rows(options.markers, 1, 4, "\"name x y z\" with coordinates in metres"), "; ")});
-      return settings;
+        t.set("time/steps", steps, "command line: --steps");
+      t.set("time/boundary rates", "scheme");
+      t.set("time/start velocity", "impulse");
+      t.set("time/events", "ignore");
     }
 
-    /// The text of the scene, read back through the validation that `run` does.
-    std::string validated(const Settings &settings, const std::filesystem::path &file, const PeerParameters &peer)
+    void add_markers(PeerTranslation &t)
     {
-      const std::string   name   = file.string();
-      const scene::Schema schema = root_schema(system_entry("muscle 3d", name));
-      const std::string   xml    = scene::written_xml(scene::compose_scene(schema, settings, name, file.parent_path()));
-      const scene::Node   again  = scene::parse_scene(xml, schema, name, file.parent_path());
-      if (const Geometry body = read_muscle3d(again.section("system")).geometry; body.mesh)
-        if (const std::string wrong = implausible_size(body); !wrong.empty())
-          peer.refuse("Geometry", "Grid scale", "the factor that makes metres of the coordinates of the mesh", wrong);
-      make_step_control(again.section("time"));
-      return xml;
+      const PrmEntry *list = t.peer.optional("Measuring locations", "Markers list file");
+      if (list != nullptr && t.options.markers.empty())
+        t.out << "not carried over: Measuring locations / Markers list file = " << list->text << " (give the file with --markers)\n";
+      const std::string        path = "output/series/markers";
+      std::vector<std::string> markers;
+      for (const PeerMarker &marker : read_peer_markers(t.options.markers, t.peer))
+        {
+          markers.push_back(marker.name + " " + marker.position);
+          t.set_origin(path, marker.name, marker.origin);
+        }
+      if (!markers.empty())
+        t.set(path, join(markers, "; "));
+      else if (!t.options.markers.empty())
+        t.out << "no markers in " << t.options.markers.string() << "\n";
+    }
+
+    PeerBody translate(PeerTranslation &t)
+    {
+      const bool dynamic = t.peer.needed("Finite element system", "Type of simulation").text == "dynamic";
+      t.set("title", "Imported from " + t.options.parameters.filename().string());
+      t.set("system/type", "muscle 3d");
+      t.set("integrator/type", dynamic ? "backward euler" : "static");
+      t.set("solver/nonlinear/relative tolerance", "1e-10"); // so that the absolute one decides, as in the peer
+      t.set("output/series/slab", "whole cells");
+      const PeerBody body = add_body(t);
+      add_taken(t, body);
+      add_fibres(t, body);
+      add_boundary(t, body);
+      add_pressures(t, body);
+      set_profile(t, "system/activation", activation_of(t));
+      add_time(t);
+      add_markers(t);
+      return body;
+    }
+
+    /// The text of the scene, in which all that `check` does has found nothing, on a mesh refined once at most.
+    std::string validated(const PeerTranslation &t, const PeerBody &body)
+    {
+      const std::string           name   = t.options.scene.string();
+      const std::filesystem::path folder = t.options.scene.parent_path();
+      try
+        {
+          const scene::Schema schema = root_schema(system_entry("muscle 3d", name));
+          const std::string   xml    = scene::written_xml(scene::compose_scene(schema, t.settings(), name, folder));
+          const std::string   coarse = "system/geometry/refinement=" + std::to_string(std::min(1, body.refinement));
+          const Experiment    experiment(scene::parse_scene(xml, schema, name, folder, {coarse}));
+          const ScratchFolder scratch;
+          experiment.assembled().make_outputs(experiment.scene().section("output"), scratch.path());
+          for (const std::string &warning : experiment.assembled().warnings)
+            t.out << "Warning: " << warning << "\n";
+          return xml;
+        }
+      catch (const InputError &error)
+        {
+          throw t.at_origins(error, name);
+        }
     }
   } // namespace
 
   void import_flexodeal(const FlexodealOptions &options, std::ostream &out)
   {
-    const PeerParameters peer(options.parameters);
-    const std::string    xml = validated(translate(options, peer, out), options.scene, peer);
+    PeerTranslation   translation(options, out);
+    const PeerBody    body = translate(translation);
+    const std::string xml  = validated(translation, body);
     on_writing_rank(options.scene.string(), "a path in a folder that exists and can be written", "",
                     [&] { replace_file(options.scene, xml); });
-    name_what_is_lost(peer, !options.markers.empty(), !options.points.empty(), out);
-    out << "scene written: " << options.scene.string() << "\n";
+    translation.peer.tell_what_is_lost(out);
+    out << "scene written: " << options.scene.string() << "\nrun it: " << shell_text({"myolines", "run", options.scene.string()}) << "\n";
   }
 } // namespace myolines

@@ -28,12 +28,14 @@ namespace myolines
         const std::string rest      = blank == std::string::npos ? "" : trimmed(statement.substr(blank));
         if (statement.empty())
           return;
-        if (word == "subsection" && !rest.empty())
+        if ((word == "subsection" || word == "SUBSECTION") && !rest.empty())
           sections_.push_back(rest);
-        else if (word == "end" && rest.empty() && !sections_.empty())
+        else if ((word == "end" || word == "END") && rest.empty() && !sections_.empty())
           sections_.pop_back();
-        else if (word == "set" && rest.find('=') != std::string::npos)
+        else if ((word == "set" || word == "SET") && rest.find('=') != std::string::npos)
           set(rest, line);
+        else if (word == "include" || word == "INCLUDE")
+          problem(line, "\"" + statement + "\": other files are not read", "the lines of that file in its place");
         else
           problem(line, "\"" + statement + "\" is not understood", "subsection NAME, set NAME = VALUE, end, or a comment");
       }
@@ -92,29 +94,36 @@ namespace myolines
     return reader.finish(line);
   }
 
-  std::vector<std::string> read_rows(const std::filesystem::path &file, const unsigned int n_names, const unsigned int n_words,
-                                     const std::string &expected)
+  std::vector<PrmRow> read_rows(const std::filesystem::path &file)
   {
-    std::istringstream       stream(scene::read_input_text(file));
-    std::vector<std::string> rows;
-    unsigned int             number = 0;
+    std::istringstream  stream(scene::read_input_text(file));
+    std::vector<PrmRow> rows;
+    unsigned int        number = 0;
     for (std::string line; std::getline(stream, line);)
       {
-        ++number;
-        std::istringstream       words(line.substr(0, line.find('#')));
-        std::vector<std::string> row;
+        PrmRow             row{{}, ++number};
+        std::istringstream words(line.substr(0, line.find('#')));
         for (std::string word; words >> word;)
-          row.push_back(word);
-        if (row.empty())
-          continue;
-        bool good = row.size() == n_words;
-        for (unsigned int i = n_names; i < row.size(); ++i)
-          good = good && scene::parse_number(row[i]);
-        if (!good)
-          throw InputError(InputProblem{file.string() + ", line " + std::to_string(number), "\"" + trimmed(line) + "\" is not understood",
-                                        expected, ""});
-        rows.push_back(join(row, " "));
+          row.words.push_back(word);
+        if (!row.words.empty())
+          rows.push_back(row);
       }
     return rows;
+  }
+
+  void refuse_odd_row(const std::filesystem::path &file, const PrmRow &row, const std::size_t n_names, const std::size_t n_words,
+                      const std::string &expected)
+  {
+    bool good = row.words.size() == n_words;
+    for (std::size_t i = n_names; i < row.words.size(); ++i)
+      good = good && scene::parse_number(row.words[i]);
+    if (good)
+      return;
+    const std::string text = join(row.words, " ");
+    const std::string hint = text.find_first_of(",;") != std::string::npos ? "numbers are separated by blanks or tabs, decimals by points"
+                             : text.find('%') == 0                         ? "comments begin with #"
+                                                                           : "";
+    throw InputError(
+        InputProblem{file.string() + ", line " + std::to_string(row.line), "\"" + text + "\" is not understood", expected, hint});
   }
 } // namespace myolines

@@ -46,7 +46,7 @@ namespace myolines
         }
       if (!node.has("activation"))
         return nullptr;
-      const Driven                 driven{"activation", "-", Range::closed(0, 1.1)}; // filtered measurements overshoot 1 by a little
+      const Driven                 driven{"activation", "-", activation_range};
       std::shared_ptr<const Drive> activation = make_drive(node.section("activation"), driven);
       refuse_values_outside(node.section("activation"), *activation, driven.range, driven.quantity);
       return activation->identically_zero() ? nullptr : activation;

@@ -36,6 +36,14 @@ namespace myolines
     }
   } // namespace
 
+  double probable_scale(const Geometry &geometry)
+  {
+    const auto [least, most] = std::minmax_element(geometry.size.begin(), geometry.size.end());
+    if (*most > longest)
+      return mending_factor(*most, 0.002, longest, {1e-3, 1e-2, 1e-6});
+    return *least < thinnest ? mending_factor(*most, 0.002, longest, {1e3, 1e2, 1e6}) : 1;
+  }
+
   std::string implausible_size(const Geometry &geometry)
   {
     const double most  = *std::max_element(geometry.size.begin(), geometry.size.end()),
@@ -44,7 +52,7 @@ namespace myolines
     if (most > longest)
       {
         text << "the body is " << most << " m long; lengths are in metres";
-        if (const double factor = mending_factor(most, 0.002, longest, {1e-3, 1e-2, 1e-6}); factor != 0)
+        if (const double factor = probable_scale(geometry); factor != 0)
           {
             text << ". " << (factor == 1e-3 ? "Millimetres" : factor == 1e-2 ? "Centimetres" : "Micrometres") << " were probably meant: ";
             if (geometry.mesh)

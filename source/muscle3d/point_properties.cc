@@ -30,9 +30,11 @@ namespace myolines
         throw InputError(InputProblem{csv.file.string() + ", line 1", what, expected, hint});
       };
       const std::vector<std::string> known = known_columns();
-      for (const std::string &name : csv.header)
-        if (std::find(known.begin(), known.end(), name) == known.end())
-          refuse("unknown column \"" + name + "\"", "columns of " + join(known), nearest_hint(name, known));
+      const std::size_t              first = csv.header.front().empty() ? 1 : 0; // a nameless first column numbers the rows
+      for (auto name = csv.header.begin() + first; name != csv.header.end(); ++name)
+        if (std::find(known.begin(), known.end(), *name) == known.end())
+          refuse("unknown column \"" + *name + "\"", "columns of " + join(known),
+                 csv.header.size() == 1 ? "columns are separated by commas, semicolons or tabs" : nearest_hint(*name, known));
       for (const char *axis : {"x", "y", "z"})
         if (!csv.column(std::string("qp_") + axis))
           refuse(std::string("the column qp_") + axis + " is missing", "qp_x, qp_y, qp_z [m]");
@@ -41,7 +43,7 @@ namespace myolines
         given += csv.column(fibre_orientation + axis) ? 1 : 0;
       if (given != 0 && given != 3)
         refuse("the fibre orientation is incomplete", fibre_orientation + "_x, _y and _z");
-      if (csv.header.size() == 3)
+      if (csv.header.size() == first + 3)
         refuse("there are places, but nothing is said of them", "at least one further column of " + join({known.begin() + 3, known.end()}));
       if (csv.rows.empty())
         throw InputError(InputProblem{csv.file.string(), "there are no points", "a header and lines of numbers, separated by commas", ""});

@@ -23,8 +23,9 @@ namespace myolines::scene
 
     bool is_skipped(const std::string &line)
     {
-      const std::string text = trimmed(line);
-      return text.empty() || text[0] == '#' || text[0] == '%';
+      const std::string text      = trimmed(line);
+      const bool        separator = text.size() == 5 && text.rfind("sep=", 0) == 0; // "sep=;", of spreadsheets
+      return text.empty() || text[0] == '#' || text[0] == '%' || separator;
     }
 
     std::vector<std::string> fields_of(const std::string &line, const char separator)

@@ -15,12 +15,23 @@ namespace myolines
     unsigned int line = 0;
   };
 
-  /// Reads a deal.II parameter file (ParameterHandler): subsection/end, set, comments from # on, lines continued by a
-  /// backslash. @throws InputError with file and line for anything else, for an entry set twice and for unclosed subsections.
+  /// Reads a deal.II parameter file (ParameterHandler): subsection/end, set, in small letters or capitals, comments from # on, lines
+  /// continued by a backslash. @throws InputError with file and line for anything else, for an entry set twice and for unclosed
+  /// subsections.
   std::vector<PrmEntry> read_prm(const std::filesystem::path &file);
 
-  /// The lines of @p file as words separated by blanks, @p n_words each; all but the first @p n_names of them numbers. Empty lines, and what
-  /// follows a #, are left out. @throws InputError with file and line, and @p expected.
-  std::vector<std::string> read_rows(const std::filesystem::path &file, unsigned int n_names, unsigned int n_words,
-                                     const std::string &expected);
+  /// A line of a table without header, as words.
+  struct PrmRow
+  {
+    std::vector<std::string> words;
+    unsigned int             line = 0;
+  };
+
+  /// The lines of @p file as words separated by blanks or tabs; empty lines, and what follows a #, are left out.
+  std::vector<PrmRow> read_rows(const std::filesystem::path &file);
+
+  /// @throws InputError with file and line, and @p expected, unless @p row has @p n_words words, all but the first @p n_names of them
+  /// finite numbers.
+  void refuse_odd_row(const std::filesystem::path &file, const PrmRow &row, std::size_t n_names, std::size_t n_words,
+                      const std::string &expected);
 } // namespace myolines

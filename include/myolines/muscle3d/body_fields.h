@@ -20,8 +20,8 @@ namespace myolines
   /// Properties of the body, read from a file. Their names are those of the complete Flexodeal: max_iso_stress_muscle [Pa],
   /// muscle_fibre_orientation, fat_fraction, activation_scale, matrix_fraction (one of our own), tissue_id (1 muscle, 2 aponeurosis, 3
   /// tendon).
-  /// - A CSV file has columns by name, in any order: qp_x, qp_y, qp_z and any of these (muscle_fibre_orientation_x, _y, _z). Each place of
-  ///   the body takes the nearest row.
+  /// - A CSV file has columns by name, in any order: qp_x, qp_y, qp_z and any of these (muscle_fibre_orientation_x, _y, _z). A first
+  ///   column without a name, as programs write it that number rows, is passed over. Each place of the body takes the nearest row.
   /// - A mesh in a format of VTK has them as arrays; that of the fibre orientation has three components and may be called fibre as well.
   ///   Each place takes what its cell has, or between the points of the cell what they have, linearly; vectors of points are turned to
   ///   the same side before. Vectors of length zero say nothing. Other arrays are passed over.
@@ -43,7 +43,7 @@ namespace myolines
     /// What the file has for @p x, and how far from there [m].
     std::pair<Row, double> nearest(const dealii::Point<3> &x) const;
     bool                   has_fat() const;
-    bool                   has_matrix() const; ///< whether it has fractions of extracellular matrix
+    bool                   has_matrix() const;     ///< whether it has fractions of extracellular matrix
     bool                   has_directions() const; ///< of fibres
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;

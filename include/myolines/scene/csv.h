@@ -31,7 +31,8 @@ namespace myolines::scene
   std::optional<CsvTable> read_csv(const std::filesystem::path &file);
 
   /// A file that a person gives: fields are separated by commas, semicolons or tabs, decimals by points or, where commas do not separate
-  /// and no number has a point, by commas; lines that begin with # or % in front, OpenSim's headers, white space around fields, empty lines
+  /// and no number has a point, by commas; lines that begin with # or % in front, "sep=;" of spreadsheets,
+  /// OpenSim's headers, white space around fields, empty lines
   /// and separators at the ends of lines are left out. @throws InputError for what is no table.
   CsvTable read_csv_input(const std::filesystem::path &file);
 } // namespace myolines::scene

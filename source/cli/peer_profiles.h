@@ -1,0 +1,51 @@
+#pragma once
+
+#include "peer_parameters.h"
+
+#include <myolines/scene/schema.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace myolines
+{
+  /// A function of time by control points, as the scene has them.
+  struct PeerProfile
+  {
+    std::string points; ///< "t value; t value"
+    std::string origin; ///< the file, or the entry, that it is from
+  };
+
+  /// Control points from a file of two columns: constant before the first and after the last. @throws InputError with file and line of what
+  /// is no control point, of times that do not ascend and of a @p quantity outside @p range.
+  PeerProfile read_control_points(const std::filesystem::path &file, const std::string &quantity, const scene::Range &range);
+
+  /// The ramp of the earliest versions: "Pull strain" of @p length [m], at "Pull strain rate" [m/s], in the middle between "Pull time
+  /// start" and "Pull time end". @throws InputError if it does not fit in between.
+  PeerProfile strain_ramp(PeerParameters &peer, double length);
+
+  /// The ramp of the earliest versions, to "Activation level" [%] from "Activation start" to "Activation end".
+  PeerProfile activation_ramp(PeerParameters &peer);
+
+  /// A column of a file of pressures.
+  struct PeerPressure
+  {
+    int         face; ///< boundary id
+    std::string points;
+  };
+
+  /// Pressures on faces: a line of names, the first of time and the others boundary ids, above lines of as many numbers. Positive ones
+  /// pull.
+  std::vector<PeerPressure> read_pressures(const std::filesystem::path &file);
+
+  /// A point whose displacement is written.
+  struct PeerMarker
+  {
+    std::string name, position; ///< "x y z"
+    std::string origin;
+  };
+
+  /// The points of @p file, which may be empty, and the three that older versions have among their parameters: left, mid and right.
+  std::vector<PeerMarker> read_peer_markers(const std::filesystem::path &file, PeerParameters &peer);
+} // namespace myolines
