@@ -1,6 +1,6 @@
+#include <myolines/time/dirk_tables.h>
 #include <myolines/time/first_step.h>
 
-#include <cmath>
 #include <sstream>
 
 namespace myolines
@@ -19,19 +19,6 @@ namespace myolines
       facts.error_exponent = 3;
       return facts;
     }
-
-    /// With s = sqrt(2 + 2 rho) the published parameters are g = 2/(2 + s) for the end of the first part, and the weights
-    ///
-    ///     q_1 = s/4,   q_0 = 1/2 + (g - 1) q_1,   q_2 = 1/2 - g q_1 = g/2
-    ///
-    /// of the slopes at t, t + g dt and t + dt: both parts solve with one matrix. The embedded formula is the quadrature of third order
-    /// with these abscissas; as stages are of second order, it makes a method of third order.
-    DirkTable table(const double rho)
-    {
-      const double s = std::sqrt(2 + 2 * rho), g = 2 / (2 + s), d = g / 2, q1 = s / 4, q0 = 0.5 + (g - 1) * q1;
-      const double middle = 1 / (6 * g * (1 - g)), last = 0.5 - g * middle;
-      return {{{0}, {d, d}, {q0, q1, d}}, {q0 - (1 - middle - last), q1 - middle, d - last}};
-    }
   } // namespace
 
   IntegratorEntry bathe_entry()
@@ -44,12 +31,12 @@ namespace myolines
     declare_first_step(entry.schema);
     entry.derived = [](const scene::Node &node) {
       std::ostringstream text;
-      text << "first part ends at t + " << table(node.number("spectral radius")).c(1) << " dt; spectral radius at infinity "
+      text << "first part ends at t + " << bathe_table(node.number("spectral radius")).c(1) << " dt; spectral radius at infinity "
            << node.number("spectral radius");
       return std::vector<std::string>{text.str()};
     };
     entry.make = [](const scene::Node &node, const IntegratorContext &context) {
-      return make_dirk(table(node.number("spectral radius")), facts(), node, context);
+      return make_dirk(bathe_table(node.number("spectral radius")), facts(), node, context);
     };
     return entry;
   }

@@ -1,5 +1,5 @@
 #include <myolines/time/combination.h>
-#include <myolines/time/dirk.h>
+#include <myolines/time/dirk_tables.h>
 #include <myolines/time/error_norm.h>
 #include <myolines/time/start.h>
 

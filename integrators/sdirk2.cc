@@ -1,4 +1,4 @@
-#include <myolines/time/dirk.h>
+#include <myolines/time/dirk_tables.h>
 
 namespace myolines
 {

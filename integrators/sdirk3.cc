@@ -1,4 +1,4 @@
-#include <myolines/time/dirk.h>
+#include <myolines/time/dirk_tables.h>
 
 namespace myolines
 {
@@ -15,17 +15,6 @@ namespace myolines
       facts.error_exponent = 3;
       return facts;
     }
-
-    /// gamma is the root of x^3 - 3 x^2 + 3/2 x - 1/6 in (1/6, 1/2): order 3 and L-stable. Every formula
-    /// b - theta (1, -2, 1) is of second order, as the abscissas are equidistant; with theta = gamma it is that of the first two stages.
-    /// A fifth of this makes error and tolerance agree in the muscle (doc/error_control.md).
-    DirkTable table()
-    {
-      const double gamma = 0.43586652150845899942;
-      const double b1    = -(6 * gamma * gamma - 16 * gamma + 1) / 4;
-      const double b2    = (6 * gamma * gamma - 20 * gamma + 5) / 4;
-      return {{{gamma}, {(1 - gamma) / 2, gamma}, {b1, b2, gamma}}, {gamma / 5, -2 * gamma / 5, gamma / 5}};
-    }
   } // namespace
 
   IntegratorEntry sdirk3_entry()
@@ -33,7 +22,9 @@ namespace myolines
     IntegratorEntry entry;
     entry.facts  = facts();
     entry.schema = scene::Schema(entry.facts.summary);
-    entry.make   = [](const scene::Node &node, const IntegratorContext &context) { return make_dirk(table(), facts(), node, context); };
+    entry.make   = [](const scene::Node &node, const IntegratorContext &context) {
+      return make_dirk(sdirk3_table(), facts(), node, context);
+    };
     return entry;
   }
 } // namespace myolines

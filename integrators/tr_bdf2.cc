@@ -1,6 +1,5 @@
+#include <myolines/time/dirk_tables.h>
 #include <myolines/time/first_step.h>
-
-#include <cmath>
 
 namespace myolines
 {
@@ -17,14 +16,6 @@ namespace myolines
       facts.error_exponent = 3;
       return facts;
     }
-
-    /// As a Runge-Kutta method whose first stage is the beginning of the step; both implicit stages have the weight d. The
-    /// embedded formula is of third order (Hosea and Shampine, table 1).
-    DirkTable table()
-    {
-      const double d = 1 - std::sqrt(0.5), w = std::sqrt(0.125);
-      return {{{0}, {d, d}, {w, w, d}}, {w - (1 - w) / 3, w - (3 * w + 1) / 3, d - d / 3}};
-    }
   } // namespace
 
   IntegratorEntry tr_bdf2_entry()
@@ -33,7 +24,9 @@ namespace myolines
     entry.facts  = facts();
     entry.schema = scene::Schema(entry.facts.summary);
     declare_first_step(entry.schema);
-    entry.make = [](const scene::Node &node, const IntegratorContext &context) { return make_dirk(table(), facts(), node, context); };
+    entry.make = [](const scene::Node &node, const IntegratorContext &context) {
+      return make_dirk(tr_bdf2_table(), facts(), node, context);
+    };
     return entry;
   }
 } // namespace myolines

@@ -96,7 +96,7 @@ namespace myolines
         self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
         return;
       }
-    control_    = make_step_control(time, error_exponent(method_.facts));
+    control_    = make_step_control(time, error_exponent(method()));
     integrator_ = guard_energy(make_integrator(method_, integrator, context), time, *assembled_.system);
   }
 

@@ -4,6 +4,7 @@
 #include <myolines/cli/memory_limit.h>
 #include <myolines/cli/refinements.h>
 #include <myolines/scene/numbers.h>
+#include <myolines/time/error_norm.h>
 #include <myolines/time/integrator.h>
 #include <myolines/time/step_control.h>
 
@@ -87,9 +88,10 @@ namespace myolines
 
     void add_tolerances(const BaseScene &scene, const IntegratorEntry &method, Ladder &ladder)
     {
-      constexpr double ratio   = 8;
-      const Node      &control = scene.node.section("time").section("control");
-      const double     order = method.facts.order, exponent = method.facts.error_exponent > 0 ? method.facts.error_exponent : order + 1;
+      constexpr double  ratio   = 8;
+      const Node       &control = scene.node.section("time").section("control");
+      const MethodFacts facts   = facts_with(method, scene.node.section("integrator"));
+      const double      order = facts.order, exponent = error_exponent(facts);
       ladder.parameter = "tolerances of time/control, times";
       ladder.order     = method.make ? order / exponent : 1;
       ladder.finer     = [](const double factor) { return study::Finer{"tolerances times " + six_digits(1 / factor), factor}; };
@@ -140,7 +142,7 @@ namespace myolines
       const IntegratorEntry &method = integrator_entry(scene.node.section("integrator").text("type"));
       Ladder                 ladder;
       ladder.name  = "steps";
-      ladder.order = std::max(1u, method.facts.order);
+      ladder.order = std::max(1u, facts_with(method, scene.node.section("integrator")).order);
       if (time.section("control").text("type") == "error")
         add_tolerances(scene, method, ladder);
       else if (time.has("steps"))

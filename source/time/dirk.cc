@@ -34,10 +34,10 @@ namespace myolines
     class ExplicitFirstStageMethod : public Integrator
     {
     public:
-      ExplicitFirstStageMethod(const DirkTable &table, const FirstStep first, const IntegratorContext &context)
+      ExplicitFirstStageMethod(const DirkTable &table, const FirstStep first, const unsigned int order, const IntegratorContext &context)
         : solver_(context)
         , stepper_(table, solver_, context)
-        , starter_(first, solver_, context)
+        , starter_(first, solver_, context, order)
       {}
 
       void       start(State &state) override { starter_.start(state); }
@@ -142,12 +142,6 @@ namespace myolines
     if (!table.explicit_first_stage())
       return std::make_unique<DirkMethod>(table, context);
     require_fitting_first_step(facts, integrator, context);
-    return std::make_unique<ExplicitFirstStageMethod>(table, first_step(integrator), context);
-  }
-
-  DirkTable sdirk2_table()
-  {
-    const double gamma = 1 - std::sqrt(0.5);
-    return {{{gamma}, {1 - gamma, gamma}}, {-gamma / 5, gamma / 5}};
+    return std::make_unique<ExplicitFirstStageMethod>(table, first_step(integrator), facts.order, context);
   }
 } // namespace myolines

@@ -65,6 +65,11 @@ namespace myolines
     report.reason  = text.str();
   }
 
+  MethodFacts facts_with(const IntegratorEntry &entry, const scene::Node &integrator)
+  {
+    return entry.facts_of_parameters ? entry.facts_of_parameters(integrator) : entry.facts;
+  }
+
   unsigned int error_exponent(const MethodFacts &facts) { return facts.error_exponent != 0 ? facts.error_exponent : facts.order + 1; }
 
   std::unique_ptr<Integrator> make_integrator(const IntegratorEntry &entry, const scene::Node &integrator, const IntegratorContext &context)
@@ -74,8 +79,8 @@ namespace myolines
                         "its tolerances are in \"time/control\"");
     if (context.error_norm == nullptr)
       return entry.make(integrator, context);
-    const MethodFacts &facts      = entry.facts;
-    const bool         equilibria = context.system.capabilities().orders == std::vector<unsigned int>{0};
+    const MethodFacts facts      = facts_with(entry, integrator);
+    const bool        equilibria = context.system.capabilities().orders == std::vector<unsigned int>{0};
     if (facts.order == 0 || equilibria)
       integrator.refuse("type",
                         (equilibria ? "steps end in equilibrium, however long they are: " : "") + ("\"" + facts.name + "\"") +

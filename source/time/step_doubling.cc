@@ -74,6 +74,6 @@ namespace myolines
   std::unique_ptr<Integrator> make_step_doubling(const IntegratorEntry &entry, const scene::Node &integrator,
                                                  const IntegratorContext &context)
   {
-    return std::make_unique<StepDoubling>(entry.make(integrator, context), entry.facts.order, *context.error_norm);
+    return std::make_unique<StepDoubling>(entry.make(integrator, context), facts_with(entry, integrator).order, *context.error_norm);
   }
 } // namespace myolines

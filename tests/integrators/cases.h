@@ -51,6 +51,11 @@ namespace myolines::testing
 
     bool estimate_is_asymptotic = true; ///< false: neither holds
 
+    double work =
+        0.15; ///< how far work times exponent may be from proportional to the tolerance, where steps of the start are many among few
+
+    bool one_matrix = true; ///< false: the stages of a step have different weights
+
     bool controls_error = true; ///< false: refused where steps are chosen by error
   };
 

@@ -228,3 +228,40 @@ TEST(Start, aBoundaryStartsFromRestOrWithItsVelocity)
   EXPECT_EQ(starting_state(system, 0, R::exact, S::consistent).v(1), 4);
   EXPECT_EQ(starting_state(system, 0, R::exact, S::impulse).v(1), 0) << "the start of the first piece takes the jump";
 }
+
+namespace
+{
+  /// A first step of third order, whose acceleration goes on, costs a method of fourth order no order.
+  TEST(RungeKutta, FourthOrderSurvivesAnLStableFirstStep)
+  {
+    const auto error = [](const double step) {
+      Experiment run(integrator_entry("runge kutta"), {}, BoundaryRates::exact, {"table=esdirk4"});
+      run.state.u = 1;
+      run.run(1.5, step);
+      return std::hypot(run.state.u(0) - std::cos(1.5), run.state.v(0) + std::sin(1.5));
+    };
+    EXPECT_GT(std::log2(error(1.5 / 20) / error(1.5 / 40)), 3.8);
+    EXPECT_GT(std::log2(error(1.5 / 40) / error(1.5 / 80)), 3.8);
+  }
+
+  TEST(RungeKutta, TablesOfAScenesAreLookedAt)
+  {
+    EXPECT_NE(
+        derived("runge kutta", {}).find("order 3 (conditions up to order 4 are looked at), stages of order 2, embedded formula of order 2"),
+        std::string::npos)
+        << derived("runge kutta", {});
+    EXPECT_NE(derived("runge kutta", {"table=esdirk4"}).find("order 4"), std::string::npos);
+    EXPECT_NE(derived("runge kutta", {"table=esdirk4"}).find("L-stable, spectral radius at infinity 0"), std::string::npos);
+    const std::string trapezoidal = derived("runge kutta", {"table=own", "A=0; 1/2 1/2"});
+    EXPECT_NE(trapezoidal.find("order 2"), std::string::npos);
+    EXPECT_NE(trapezoidal.find("stiffly accurate, A-stable, spectral radius at infinity 1"), std::string::npos) << trapezoidal;
+    EXPECT_NE(derived("runge kutta", {"table=own", "A=0.1; 0.9 0.1"}).find("not A-stable"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own"}).find("there is no implicit stage"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/4"}).find("row 2 has 1 coefficients"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/2 0"}).find("the diagonal of row 2 is 0"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/2 1/4"}).find("adds up to 0.75"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; x 1/2"}).find("\"x\" is no coefficient"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/2 1/2", "embedded=1"}).find("1 weights that add up to 1"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"A=0; 1/2 1/2"}).find("is not looked at"), std::string::npos);
+  }
+} // namespace

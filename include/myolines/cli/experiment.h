@@ -21,7 +21,7 @@ namespace myolines
 
     const scene::Node     &scene() const { return scene_; }
     const AssembledSystem &assembled() const { return assembled_; }
-    const MethodFacts     &method() const { return method_.facts; }
+    MethodFacts            method() const { return facts_with(method_, scene_.section("integrator")); }
     const LoopSettings    &settings() const { return settings_; }
 
     /// How linear systems are solved, in words.

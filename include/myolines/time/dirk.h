@@ -61,8 +61,4 @@ namespace myolines
   /// @throws InputError if the system does not fit the facts.
   std::unique_ptr<Integrator> make_dirk(const DirkTable &table, const MethodFacts &facts, const scene::Node &integrator,
                                         const IntegratorContext &context);
-
-  /// gamma = 1 - 1/sqrt(2): two stages, order 2, L-stable (Alexander, doi:10.1137/0714068). The error is estimated as a fifth of the
-  /// difference to u_0 + dt v_1, of first order: then error and tolerance agree in the muscle (doc/error_control.md).
-  DirkTable sdirk2_table();
 } // namespace myolines

@@ -14,16 +14,16 @@ namespace myolines
   /// the step resolves.
   enum class FirstStep
   {
-    sdirk2, ///< a step of sdirk2_table(); one does not change an order of 2
-    own     ///< the formulas of the method, from M a = -F
+    l_stable, ///< a step of an L-stable method, sdirk2_table() or beyond order 2 sdirk3_table(); one does not change an order up to 4
+    own       ///< the formulas of the method, from M a = -F
   };
 
   /// Begins smooth pieces for such a method. What it remembers goes through save and load.
   class Starter
   {
   public:
-    /// Shares @p solver with the method.
-    Starter(FirstStep kind, StageSolver &solver, const IntegratorContext &context);
+    /// Shares @p solver with the method, which is of @p order.
+    Starter(FirstStep kind, StageSolver &solver, const IntegratorContext &context, unsigned int order = 2);
 
     /// Of the beginning of a piece: see start_piece(), and with own formulas consistent_acceleration().
     void start(State &state);
@@ -39,13 +39,15 @@ namespace myolines
 
   private:
     /// Velocities that jump at the beginning of the step make accelerations of its stages that mean nothing. With q the slope of v between
-    /// the ends of both stages, which lie behind the jump, and D = (M + g C + g^2 K)^-1 M, g the weight of the last stage, a <- q + D (a -
-    /// q): what the step resolves keeps its acceleration, the rest gets the slope.
+    /// the ends of the first and the last stage, which lie behind the jump, and D = (M + g C + g^2 K)^-1 M, g the weight of the last stage,
+    /// a <- a - (1 - D)^k (a - q): what the step resolves keeps its acceleration, the rest gets the slope. q and D are accurate to first
+    /// order, so that a keeps an error of order k + 1.
     void resolve_acceleration(State &state, StepReport &report);
 
     const IntegratorContext    context_;
     StageSolver               &solver_;
     std::optional<DirkStepper> stepper_; ///< none: own formulas
+    unsigned int               passes_;  ///< k of resolve_acceleration()
     bool                       due_ = false;
   };
 

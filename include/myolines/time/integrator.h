@@ -159,9 +159,15 @@ namespace myolines
     std::function<std::unique_ptr<SelfPacedIntegrator>(const scene::Node &, const IntegratorContext &, const ErrorControlLimits &)>
         make_self_paced;
 
+    /// The facts where they depend on the parameters; empty: `facts`, which are those of the defaults. See facts_with().
+    std::function<MethodFacts(const scene::Node &)> facts_of_parameters;
+
     /// What follows from the parameters, for `check`: coefficients, order, stability. Empty: nothing.
     std::function<std::vector<std::string>(const scene::Node &)> derived;
   };
+
+  /// Facts of the method with the parameters of @p integrator.
+  MethodFacts facts_with(const IntegratorEntry &entry, const scene::Node &integrator);
 
   /// All integrators of integrators/list.def, in its order.
   const std::vector<IntegratorEntry> &integrator_registry();
