@@ -54,6 +54,10 @@ namespace myolines
         if (first_stage(h, state, report) && second_stage(h, state, report))
           finish(h, state, report);
         report.initial_residual = report.final_residual = std::nullopt; // nobody looks at what is left of the equations
+        if (report.outcome == StepReport::Outcome::inadmissible)
+          report.advice =
+              "a smaller \"time/step\" from the start, as no step mends what linear ones before it have spoiled; or a method that "
+              "iterates";
         return report;
       }
 

@@ -179,6 +179,7 @@ namespace myolines
           {
             report.outcome = inner.empty() ? StepReport::Outcome::not_converged : StepReport::Outcome::inadmissible;
             report.reason  = message_ + (inner.empty() ? "" : " (" + inner + ")");
+            report.advice  = "\"time/control/type\" = \"error\", with which steps are as short as the method needs them, or another method";
             end_.clear();
             return report;
           }

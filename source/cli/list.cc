@@ -9,6 +9,8 @@
 #include <myolines/system/drive.h>
 #include <myolines/time/integrator.h>
 
+#include <algorithm>
+
 namespace myolines
 {
   namespace
@@ -178,6 +180,18 @@ namespace myolines
                                     nearest_hint(name, known, "nearest valid name")});
     }
 
+    /// Of the methods that take every system and estimate their errors, the one of highest order (doc/which_method.md).
+    const IntegratorEntry &method_to_begin_with()
+    {
+      const auto fits = [](const MethodFacts &facts) {
+        return facts.unknowns == MethodFacts::Unknowns::every_order && facts.error_exponent > 0 && facts.estimates_velocity;
+      };
+      const auto &all = integrator_registry();
+      return *std::max_element(all.begin(), all.end(), [&](const IntegratorEntry &left, const IntegratorEntry &right) {
+        return fits(left.facts) * left.facts.order < fits(right.facts) * right.facts.order;
+      });
+    }
+
     template <typename Things, typename NameOf>
     std::vector<std::string> names_of(const Things &things, const NameOf &name_of)
     {
@@ -214,20 +228,24 @@ namespace myolines
   {
     const SystemEntry             &entry   = system_entry(system, "command line");
     const std::vector<std::string> methods = names_of(integrator_registry(), [](const IntegratorEntry &e) { return e.facts.name; });
-    const std::string              method  = integrator.empty() ? methods.front() : integrator;
-    if (std::find(methods.begin(), methods.end(), method) == methods.end())
-      refuse("integrator", method, methods);
+    if (!integrator.empty() && std::find(methods.begin(), methods.end(), integrator) == methods.end())
+      refuse("integrator", integrator, methods);
 
-    const IntegratorEntry      &chosen = integrator_entry(method);
+    const IntegratorEntry      &method = integrator.empty() ? method_to_begin_with() : integrator_entry(integrator);
     std::optional<InputProblem> refused;
     for (const SystemVariant &variant : entry.variants)
-      if (const auto problem = why_refused(entry, variant, chosen))
+      {
+        const auto problem = why_refused(entry, variant, method);
+        if (!problem)
+          {
+            std::vector<scene::Setting> settings = example_of(entry, variant, method);
+            if (integrator.empty())
+              settings.push_back({"time/control/type", "error"});
+            out << scene::template_xml(root_schema(entry), settings);
+            return;
+          }
         refused = refused.value_or(*problem);
-      else
-        {
-          out << scene::template_xml(root_schema(entry), example_of(entry, variant, chosen));
-          return;
-        }
+      }
     throw InputError(*refused);
   }
 } // namespace myolines

@@ -178,7 +178,7 @@ namespace myolines
       if (why.empty())
         return;
       if (spectral_radius_at_infinity(coefficients) > 1 - 1e-7)
-        integrator.refuse("type", "\"" + facts.name + "\" with these parameters carries accelerations on undamped, but " + why,
+        integrator.refuse("type", "with these parameters \"" + facts.name + "\" carries accelerations on undamped, but " + why,
                           "parameters with a spectral radius at infinity below 1, or another method", methods_hint);
       require_fitting_first_step(facts, integrator, context);
     }

@@ -89,7 +89,7 @@ namespace myolines
     if (context.error_norm->looks_at_velocity() && !facts.estimates_velocity)
       integrator.refuse("type", "\"" + facts.name + "\" estimates the error of displacements only",
                         "no list \"time/control/velocity\", or a method that estimates both",
-                        "`myolines list integrators` tells what each estimates");
+                        "--unset time/control/velocity; `myolines list integrators` tells what each method estimates");
     return facts.error_exponent == 0 ? make_step_doubling(entry, integrator, context) : entry.make(integrator, context);
   }
 } // namespace myolines

@@ -172,15 +172,17 @@ TEST(Check, TellsSizesStepsAndWarnings)
 TEST(Check, WarnsOfNoMethodThatMeetsAJumpOfVelocity)
 {
   const TestFolder  folder;
-  const std::string coarse = "check " + myolines::test::source_folder() +
-                             "/input/kinked_block.xml --set system/geometry/refinement=1 --set 'time/boundary rates=exact' --set time/events=restart ";
+  const std::string coarse =
+      "check " + myolines::test::source_folder() +
+      "/input/kinked_block.xml --set system/geometry/refinement=1 --set 'time/boundary rates=exact' --set time/events=restart ";
   for (const std::string method : {"sdirk2", "newmark", "generalized alpha", "tr-bdf2"})
     {
       const Outcome outcome = run_program(folder, coarse + "--set 'integrator/type=" + method + "'");
       EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
       EXPECT_EQ(outcome.out.find("Warning:"), std::string::npos) << outcome.out;
     }
-  EXPECT_NE(run_program(folder, coarse + "--set 'integrator/type=wilson theta'").out.find("met beyond the ends of steps"), std::string::npos);
+  EXPECT_NE(run_program(folder, coarse + "--set 'integrator/type=wilson theta'").out.find("met beyond the ends of steps"),
+            std::string::npos);
 }
 
 TEST(Check, TellsWhatFollowsFromTheParametersOfTheIntegrator)
@@ -213,6 +215,20 @@ TEST(Template, OfEverySystemAndIntegratorPassesCheck)
         check_command(folder.write("template.xml", text.str()), {}, report);
         EXPECT_NE(report.str().find("Integrator: " + integrator.facts.name), std::string::npos);
       }
+}
+
+// Without a name it follows doc/which_method.md.
+TEST(Template, BeginsWithSdirk3AndStepsByError)
+{
+  const TestFolder folder;
+  for (const SystemEntry &system : system_catalogue())
+    {
+      std::ostringstream text, report;
+      template_command(system.name, "", text);
+      check_command(folder.write("template.xml", text.str()), {}, report);
+      EXPECT_NE(report.str().find("Integrator: sdirk3"), std::string::npos) << system.name;
+      EXPECT_NE(report.str().find("Steps: chosen by error"), std::string::npos) << system.name;
+    }
 }
 
 TEST(List, EveryTopicDescribesEveryItemItNames)

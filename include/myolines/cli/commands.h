@@ -64,6 +64,6 @@ namespace myolines
   /// All items of a topic with a sentence each, or, with a @p name, everything about that one.
   void list_command(const std::string &topic, const std::string &name, std::ostream &out);
 
-  /// Prints a complete commented scene; @p integrator may be empty.
+  /// Prints a complete commented scene; without an @p integrator with the method to begin with and steps chosen by error.
   void template_command(const std::string &system, const std::string &integrator, std::ostream &out);
 } // namespace myolines
