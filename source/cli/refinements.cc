@@ -9,7 +9,7 @@
 #include <myolines/time/step_control.h>
 
 #include <cmath>
-#include <cstdio>
+#include <functional>
 #include <optional>
 #include <sstream>
 
@@ -59,6 +59,15 @@ namespace myolines
       return text.str();
     }
 
+    /// Of a size that is a suggestion.
+    std::string three_digits(const double value)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << value;
+      return text.str();
+    }
+
     /// "1/8", "8".
     std::string factor_text(const double factor) { return factor < 1 ? "1/" + six_digits(1 / factor) : six_digits(factor); }
 
@@ -94,7 +103,7 @@ namespace myolines
       const double      order = facts.order, exponent = error_exponent(facts);
       ladder.parameter = "tolerances of time/control, times";
       ladder.order     = method.make ? order / exponent : 1;
-      ladder.finer     = [](const double factor) { return study::Finer{"tolerances times " + six_digits(1 / factor), factor}; };
+      ladder.finer     = [](const double factor) { return study::Finer{"tolerances times " + three_digits(1 / factor), factor}; };
       add_levels(ladder, -2, 2, [&](const int level) {
         const double factor = std::pow(ratio, -level);
         Rung         rung{factor_text(factor), {}, factor, std::pow(ratio, level / exponent)};
@@ -112,7 +121,7 @@ namespace myolines
       const Node                      &time   = scene.node.section("time");
       const std::vector<SchedulePiece> pieces = parse_schedule(time.text("steps"), time, "steps");
       ladder.parameter                        = "time/steps, times";
-      ladder.finer = [](const double factor) { return study::Finer{"time/steps " + six_digits(1 / factor) + " times as long", factor}; };
+      ladder.finer = [](const double factor) { return study::Finer{"time/steps " + three_digits(1 / factor) + " times as long", factor}; };
       add_levels(ladder, 0, 2, [&](const int level) {
         const unsigned int n = 1u << level;
         std::string        text;
@@ -127,7 +136,7 @@ namespace myolines
       const Node  &time = scene.node.section("time");
       const double step = time.number("step"), whole = time.number("end") - time.number("start");
       ladder.parameter = "time/step";
-      ladder.finer     = [step](const double factor) { return study::Finer{"time/step = " + six_digits(step / factor), factor}; };
+      ladder.finer     = [step](const double factor) { return study::Finer{"time/step = " + three_digits(step / factor), factor}; };
       add_levels(ladder, -2, 2, [&](const int level) -> std::optional<Rung> {
         const double size = std::pow(2, -level);
         if (level < 0 && size * step > whole)

@@ -7,6 +7,7 @@
 #include <myolines/study/csv_table.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace myolines::study
@@ -73,16 +74,30 @@ namespace myolines::study
       return names;
     }
 
+    std::string lower(std::string text)
+    {
+      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      return text;
+    }
+
+    /// The header that is the column, or is without its unit; with other capitals if there is none of these.
     std::string header_in(const VerifiedQuantity &quantity, const CsvTable &table)
     {
-      const std::vector<std::size_t> found = scene::matching_columns(quantity.column, table.header);
+      const std::vector<std::string> &header = table.header, names = without_units(header);
+      std::vector<std::string>        found;
+      for (std::size_t i = 0; i < header.size(); ++i)
+        if (header[i] == quantity.column || names[i] == quantity.column)
+          found.push_back(header[i]);
+      for (std::size_t i = 0; i < header.size() && found.empty(); ++i)
+        if (lower(names[i]) == lower(quantity.column))
+          found.push_back(header[i]);
       if (found.empty())
-        refuse_quantity(quantity, quantity.file + " has no column \"" + quantity.column + "\"", "one of " + join(table.header),
-                        nearest_hint(scene::split_column_name(quantity.column).quantity, without_units(table.header)));
+        refuse_quantity(quantity, quantity.file + " has no column \"" + quantity.column + "\"", "one of " + join(header),
+                        nearest_hint(lower(quantity.column), names));
       if (found.size() > 1)
         refuse_quantity(quantity, quantity.file + " has " + std::to_string(found.size()) + " columns \"" + quantity.column + "\"",
                         "the whole header, with its unit");
-      return table.header[found.front()];
+      return found.front();
     }
 
     /// Rows in which the column has a number.
@@ -100,24 +115,35 @@ namespace myolines::study
       return series;
     }
 
-    double taken(const VerifiedQuantity &quantity, const Series &series)
+    /// An eighth of the second difference at the row @p i; 0 at an end.
+    double between_rows(const std::vector<double> &x, const std::ptrdiff_t i)
     {
+      const bool inside = i > 0 && i + 1 < static_cast<std::ptrdiff_t>(x.size());
+      return inside ? std::abs(x[i - 1] - 2 * x[i] + x[i + 1]) / 8 : 0;
+    }
+
+    NamedValue taken(const VerifiedQuantity &quantity, const std::string &header, const Series &series)
+    {
+      const std::vector<double> &x   = series.x;
+      const auto                 row = [&](const std::vector<double>::const_iterator at) {
+        return NamedValue{header, *at, between_rows(x, at - x.begin())};
+      };
       switch (quantity.take)
         {
         case Take::largest:
-          return *std::max_element(series.x.begin(), series.x.end());
+          return row(std::max_element(x.begin(), x.end()));
         case Take::smallest:
-          return *std::min_element(series.x.begin(), series.x.end());
+          return row(std::min_element(x.begin(), x.end()));
         case Take::at:
           if (const auto values = reference_at(series, {quantity.time}))
-            return values->front();
+            return {header, values->front()};
           refuse_quantity(quantity, "there is no row at " + scene::format_number(quantity.time) + " s",
                           "a time from " + scene::format_number(series.t.front()) + " s to " + scene::format_number(series.t.back()) +
                               " s");
         case Take::last:
           break;
         }
-      return series.x.back();
+      return {header, x.back()};
     }
   } // namespace
 
@@ -139,7 +165,7 @@ namespace myolines::study
   {
     const CsvTable    table  = table_of(quantity, folder);
     const std::string header = header_in(quantity, table);
-    return {header, taken(quantity, filled(quantity, series_of(table, header)))};
+    return taken(quantity, header, filled(quantity, series_of(table, header)));
   }
 
   std::string words_of(const VerifiedQuantity &quantity)

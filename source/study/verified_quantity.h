@@ -30,6 +30,7 @@ namespace myolines::study
   {
     std::string header; ///< "moving end x [N]"
     double      value;
+    double      between = 0; ///< how far a smooth curve through the rows may go beyond an extreme one: h^2 |x''| / 8
   };
 
   /// The value in the run in @p folder. @throws InputError with the nearest names if the run does not have it.

@@ -23,16 +23,21 @@ namespace myolines::study
           found.runs.push_back(&run);
       std::sort(found.runs.begin(), found.runs.end(), [](const VerifyRun *a, const VerifyRun *b) { return a->rung.size > b->rung.size; });
       std::vector<Sample> samples;
-      std::size_t         scene = 0;
+      std::size_t         scene   = 0;
+      double              between = 0; // rows of the last run
       for (const VerifyRun *run : found.runs)
         {
           if (run->part == Part::scene)
             scene = samples.size();
-          samples.push_back({run->rung.size, value_in_run(quantity, case_folder(folder, run->which.name)).value});
+          const NamedValue value = value_in_run(quantity, case_folder(folder, run->which.name));
+          samples.push_back({run->rung.size, value.value});
+          between = value.between;
           found.values.push_back(samples.back().value);
         }
       if (samples.size() > 1)
         found.error = discretisation_error(samples, scene, ladder.order);
+      if (found.error && part == Part::steps)
+        found.error->error += between;
       return found;
     }
 
