@@ -1,4 +1,6 @@
+#include <myolines/base/checksum.h>
 #include <myolines/base/error.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/study/database.h>
 
 #include <sqlite3.h>
@@ -10,21 +12,34 @@ namespace myolines::study
 {
   namespace
   {
-    constexpr int version = 1; ///< of the tables
+    constexpr int version = 2; ///< of the tables; 1 had no checksums
 
     constexpr const char *tables = R"(
       CREATE TABLE cases (name TEXT PRIMARY KEY, status TEXT NOT NULL, reason TEXT NOT NULL, cpu_seconds REAL, wall_seconds REAL NOT NULL,
-                          command TEXT NOT NULL, manifest TEXT NOT NULL, ledger TEXT NOT NULL, scene TEXT NOT NULL);
+                          command TEXT NOT NULL, manifest TEXT NOT NULL, ledger TEXT NOT NULL, scene TEXT NOT NULL,
+                          checksum TEXT NOT NULL);
       CREATE TABLE results (name TEXT NOT NULL, "column" TEXT NOT NULL, value REAL, note TEXT NOT NULL, PRIMARY KEY (name, "column"));
     )";
 
-    constexpr const char *columns = "cases: name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene; "
+    constexpr const char *columns = "cases: name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene, checksum; "
                                     "results: name, column, value, note";
 
     [[noreturn]] void refuse_database(const std::filesystem::path &file, const std::string &what)
     {
       throw InputError(InputProblem{file.string(), what, "the database of a study by this version of the program",
                                     "choose another folder with --out, or remove the file to begin anew"});
+    }
+
+    /// Of all that a row says.
+    std::string checksum_of(const Outcome &outcome)
+    {
+      Checksum checksum;
+      for (const std::string *text :
+           {&outcome.name, &outcome.status, &outcome.reason, &outcome.command, &outcome.manifest, &outcome.ledger, &outcome.scene})
+        checksum.add(*text + '\0');
+      checksum.add((outcome.cpu_seconds ? scene::format_number(*outcome.cpu_seconds) : "") + '\0' +
+                   scene::format_number(outcome.wall_seconds));
+      return checksum.text();
     }
 
     /// What the system refused, or what is wrong with the file.
@@ -155,6 +170,8 @@ namespace myolines::study
         }
         if (found == 0 && n_tables == 0)
           execute(std::string(tables) + "PRAGMA user_version = " + std::to_string(version));
+        else if (found == 1)
+          refuse_database(file_, "it is a database of an earlier version of the program, without checksums");
         else if (found != version)
           refuse_database(file_, "it is a database of something else");
         require_whole();
@@ -198,7 +215,7 @@ namespace myolines::study
   std::map<std::string, Outcome> Database::outcomes() const
   {
     std::map<std::string, Outcome> all;
-    Statement row(*this, "SELECT name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene FROM cases");
+    Statement row(*this, "SELECT name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene, checksum FROM cases");
     while (row.step())
       {
         Outcome outcome;
@@ -206,11 +223,13 @@ namespace myolines::study
         outcome.status       = row.text(1);
         outcome.reason       = row.text(2);
         outcome.cpu_seconds  = row.number(3);
-        outcome.wall_seconds = row.number(4).value();
+        outcome.wall_seconds = row.number(4).value_or(0); // damaged, see below
         outcome.command      = row.text(5);
         outcome.manifest     = row.text(6);
         outcome.ledger       = row.text(7);
         outcome.scene        = row.text(8);
+        if (row.text(9) != checksum_of(outcome))
+          refuse_database(file_, "what it has of the case \"" + outcome.name + "\" is damaged, or was changed by hand");
         all.emplace(outcome.name, outcome);
       }
     return all;
@@ -219,8 +238,8 @@ namespace myolines::study
   void Database::store(const std::vector<Outcome> &outcomes)
   {
     Transaction transaction(*this);
-    Statement row(*this, "INSERT OR REPLACE INTO cases (name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene) "
-                         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    Statement row(*this, "INSERT OR REPLACE INTO cases (name, status, reason, cpu_seconds, wall_seconds, command, manifest, ledger, scene, "
+                         "checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const Outcome &outcome : outcomes)
       {
         row.bind(1, outcome.name);
@@ -232,6 +251,7 @@ namespace myolines::study
         row.bind(7, outcome.manifest);
         row.bind(8, outcome.ledger);
         row.bind(9, outcome.scene);
+        row.bind(10, checksum_of(outcome));
         row.step();
         row.reset();
       }

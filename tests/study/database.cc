@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <random>
+
 using namespace myolines;
 using namespace myolines::study;
 
@@ -73,6 +75,41 @@ TEST(StudyDatabase, RefusesOneThatIsNotAsItWas)
       Database{file};
       execute(file, sql);
       EXPECT_THROW(Database{file}, InputError) << sql;
+    }
+}
+
+TEST(StudyDatabase, RefusesValuesThatWereChanged)
+{
+  const TestFolder folder;
+  const auto       file = folder / "study.sqlite";
+  study::Outcome   outcome;
+  outcome.name         = "step=0.1";
+  outcome.status       = "failed";
+  outcome.scene        = std::string(300, 's');
+  outcome.cpu_seconds  = 0.1;
+  outcome.wall_seconds = 0.2;
+  Database(file).store({outcome});
+  const std::string whole = contents(file);
+  for (const char *sql : {"UPDATE cases SET status = 'done'", "UPDATE cases SET wall_seconds = 0.3", "UPDATE cases SET cpu_seconds = NULL"})
+    {
+      std::ofstream(file, std::ios::binary) << whole;
+      execute(file, sql);
+      EXPECT_THROW(Database(file).outcomes(), InputError) << sql;
+    }
+  std::mt19937 random(7);
+  for (int i = 0; i < 100; ++i)
+    {
+      std::string damaged = whole;
+      damaged[random() % whole.size()] ^= static_cast<char>(1 << random() % 8);
+      std::ofstream(file, std::ios::binary) << damaged;
+      try
+        {
+          for (const auto &[name, found] : Database(file).outcomes())
+            EXPECT_TRUE(name == outcome.name && found.status == outcome.status && found.scene == outcome.scene &&
+                        found.cpu_seconds == outcome.cpu_seconds && found.wall_seconds == outcome.wall_seconds);
+        }
+      catch (const InputError &)
+        {}
     }
 }
 
