@@ -1,7 +1,8 @@
+#include "flexodeal_options.h"
+
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/cli/commands.h>
-#include <myolines/cli/flexodeal.h>
 #include <myolines/cli/guarded.h>
 #include <myolines/cli/manual.h>
 #include <myolines/cli/point.h>
@@ -274,26 +275,7 @@ namespace myolines
         CLI::App *import  = app.add_subcommand("import", "Makes a scene of the files of another program")->require_subcommand(1);
         CLI::App *command = add(*import, "flexodeal", "Makes a scene of the files of Flexodeal or of Flexodeal Lite",
                                 [this] { import_flexodeal(flexodeal_, out_); });
-        command->add_option("parameters", flexodeal_.parameters, "Its parameters")->required()->type_name("PARAMETERS.prm");
-        command->add_option("strain", flexodeal_.strain, "Control points of the strain, unless the parameters have a ramp")
-            ->type_name("STRAIN.dat");
-        command->add_option("activation", flexodeal_.activation, "Control points of the activation, unless the parameters have a ramp")
-            ->type_name("ACTIVATION.dat");
-        command->add_option("--out", flexodeal_.scene, "The scene to write")->required()->type_name("SCENE.xml");
-        command->add_option("--markers", flexodeal_.markers, "Its list of markers")->type_name("FILE");
-        command->add_option("--qp-table", flexodeal_.points, "Its CSV file of properties at quadrature points")->type_name("FILE");
-        command->add_option("--pressure", flexodeal_.pressures, "Its pressures on faces")->type_name("FILE");
-        CLI::Option *mesh =
-            command->add_option("--mesh", flexodeal_.mesh, "A mesh (Gmsh, VTK, Abaqus) instead of the body of the parameters")
-                ->type_name("FILE");
-        command
-            ->add_option("--ends", flexodeal_.ends,
-                         "Names of its surfaces that are held and pulled; default: those with the numbers 0 and Pulling face ID")
-            ->expected(2)
-            ->type_name("SURFACE SURFACE")
-            ->needs(mesh);
-        command->add_option("--steps", flexodeal_.steps, "Schedule of steps instead of its step size: \"4 x 0.025; 8 x 0.0125\"")
-            ->type_name("STEPS");
+        add_flexodeal_options(*command, flexodeal_);
       }
 
       std::ostream         &out_;

@@ -1,79 +1,113 @@
-#include "../support/places.h"
-#include "program_runner.h"
+#include "flexodeal_files.h"
 
-#include <myolines/base/error.h>
-#include <myolines/cli/catalogue.h>
-#include <myolines/cli/flexodeal.h>
 #include <myolines/cli/prm_file.h>
 
 #include <gtest/gtest.h>
 
 using namespace myolines;
+using namespace myolines::test;
 
-namespace
+/// Faces are found by number, strains are parts of a length among the parameters, and the sheets have the direction of its body.
+
+/// "Pulling face ID" 0 is the face that is held; others are pulled along x.
+
+TEST(Flexodeal, TheHeldFaceIsNotPulled)
 {
-  const std::filesystem::path data = std::filesystem::path(myolines::test::source_folder()) / "tests/data/flexodeal";
-
-  FlexodealOptions options(const TestFolder &folder)
-  {
-    FlexodealOptions files;
-    files.parameters = data / "parameters.prm";
-    files.strain     = data / "strain.dat";
-    files.activation = data / "activation.dat";
-    files.scene      = folder / "scene.xml";
-    return files;
-  }
-
-  /// The parameters with the first @p from replaced.
-  std::filesystem::path changed(const TestFolder &folder, const std::string &from, const std::string &to)
-  {
-    std::string text = contents(data / "parameters.prm");
-    if (text.find(from) == std::string::npos)
-      throw std::logic_error("no \"" + from + "\" in the parameters");
-    return folder.write("changed.prm", text.replace(text.find(from), from.size(), to));
-  }
-
-  std::string refusal(const FlexodealOptions &options)
-  {
-    std::ostringstream out;
-    try
-      {
-        import_flexodeal(options, out);
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "accepted";
-  }
-} // namespace
-
-TEST(Flexodeal, AMeshReplacesTheBody)
-{
-  const TestFolder   folder;
-  std::ostringstream out;
-  FlexodealOptions   files = options(folder);
-  files.parameters         = changed(folder, "set Grid scale          = 1e-3", "set Grid scale = 1");
-  files.mesh               = myolines::test::source_folder() + "/input/gastrocnemius_running/gastrocnemius.msh";
-  files.ends               = {"proximal end", "distal end"};
-  import_flexodeal(files, out);
-  const scene::Node scene    = read_whole_scene(files.scene, {});
-  const auto       &geometry = scene.section("system").section("geometry");
-  EXPECT_EQ(geometry.text("type"), "mesh");
-  EXPECT_EQ(geometry.text("scale"), "1");
-  const auto &conditions = scene.section("system").section("boundary").named();
-  EXPECT_EQ(conditions[0].text("face"), "distal end");
-  EXPECT_EQ(conditions[1].text("face"), "proximal end");
-  files.ends[1] = "nowhere";
-  EXPECT_NE(refusal(files).find("no face \"nowhere\""), std::string::npos);
+  const TestFolder folder;
+  FlexodealOptions files = flexodeal_options(folder);
+  files.parameters       = changed(folder, "Pulling face ID = 1", "Pulling face ID = 0");
+  scene::Node system     = system_of(files);
+  ASSERT_EQ(system.section("boundary").named().size(), 1u);
+  EXPECT_EQ(system.section("boundary").named()[0].text("face"), "x-");
+  files.parameters = changed(folder, "Pulling face ID = 1", "Pulling face ID = 3");
+  system           = system_of(files);
+  EXPECT_EQ(system.section("boundary").named()[0].text("face"), "y+");
+  EXPECT_EQ(system.section("boundary").named()[0].text("direction"), "1 0 0");
 }
+
+TEST(Flexodeal, OlderParametersHaveThreePoints)
+{
+  const TestFolder folder;
+  FlexodealOptions files = flexodeal_options(folder);
+  files.parameters       = changed(folder, "set Markers list file = markers.dat",
+                                   "set Left X = 0.01\nset Left Y = 0\nset Left Z = 0\nset Mid X = 0.015\nset Mid Y = 0\nset Mid Z = 0.004\n"
+                                         "set Right X = 0.03\nset Right Y = 0.01\nset Right Z = 0");
+  system_of(files);
+  EXPECT_EQ(read_whole_scene(files.scene, {}).section("output").section("series").text("markers"),
+            "left 0.01 0 0; mid 0.015 0 0.004; right 0.03 0.01 0");
+}
+
+/// One constant: neo-Hookean; three: Yeoh; no fraction: it is in the table of points.
+
+TEST(Flexodeal, TheLawOfFatFollowsItsConstants)
+{
+  const TestFolder  folder;
+  FlexodealOptions  files = flexodeal_options(folder);
+  const std::string entry = "  set Max strain rate",
+                    usual = "  set Bulk modulus fat = 1e7\n  set Fat factor = 2\n  set Fat constant 1 = 300\n";
+  files.parameters        = changed(folder, entry, usual + "  set Fat fraction = 0.1\n" + entry);
+  const scene::Node one   = system_of(files).section("tissues").section("muscle").section("fat");
+  EXPECT_EQ(one.text("type"), "neo-hookean");
+  EXPECT_EQ(one.number("c1"), 300);
+  EXPECT_EQ(one.number("factor"), 2);
+  EXPECT_EQ(one.number("fraction"), 0.1);
+  files.parameters        = changed(folder, entry, usual + "  set Fat constant 2 = 5000\n  set Fat constant 3 = -4000\n" + entry);
+  const scene::Node three = system_of(files).section("tissues").section("muscle").section("fat");
+  EXPECT_EQ(three.text("type"), "yeoh");
+  EXPECT_EQ(three.number("c3"), -4000);
+  EXPECT_EQ(three.number("fraction"), 0);
+}
+
+/// The earliest versions have ramps instead of files: -10 % of 30 mm at 6 mm/s in the middle of the first second takes half a second.
+
+TEST(Flexodeal, TheEarliestParametersHaveRamps)
+{
+  const TestFolder  folder;
+  std::string       text = contents(flexodeal_data / "parameters.prm");
+  const std::string face = "set Pulling face ID = 1\n";
+  text.replace(text.find(face), face.size(),
+               face + "set Pull time start = 0\nset Pull time end = 1\nset Pull strain = -0.1\nset Pull strain rate = 0.006\n");
+  text += "subsection Activation\n set Activation level = 40 # [%]\n set Activation start = 0.1\n set Activation end = 0.6\nend\n";
+  FlexodealOptions files;
+  files.parameters          = folder.write("ramps.prm", text);
+  files.scene               = folder / "scene.xml";
+  const scene::Node  system = system_of(files);
+  const auto        &strain = system.section("boundary").named()[0].section("strain");
+  std::istringstream points(strain.text("points"));
+  double             from, to, nothing, all;
+  char               semicolon;
+  points >> from >> nothing >> semicolon >> to >> all;
+  EXPECT_NEAR(from, 0.25, 1e-12);
+  EXPECT_NEAR(to, 0.75, 1e-12);
+  EXPECT_EQ(nothing, 0);
+  EXPECT_EQ(all, -0.1);
+  EXPECT_EQ(system.section("activation").text("points"), "0.1 0; 0.6 0.4");
+
+  files.strain = flexodeal_data / "strain.dat";
+  std::ostringstream out;
+  import_flexodeal(files, out);
+  EXPECT_NE(out.str().find("Pull strain = -0.1"), std::string::npos) << "the file comes first, and that is told";
+  files.strain.clear();
+  text.replace(text.find("rate = 0.006"), 12, "rate = 0.002");
+  files.parameters = folder.write("ramps.prm", text);
+  EXPECT_NE(flexodeal_refusal(files).find("Pull strain rate = \"0.002\" cannot be carried over\n  expected: at least 0.003"),
+            std::string::npos)
+      << flexodeal_refusal(files);
+  files            = flexodeal_options(folder);
+  files.activation = "";
+  EXPECT_NE(flexodeal_refusal(files).find("ACTIVATION.dat is not given"), std::string::npos);
+}
+
+/// Positive pressures pull.
+
+/// Tables of points as pandas and R write them, with a first column that numbers the rows.
 
 TEST(Flexodeal, ParametersBecomeAScene)
 {
   const TestFolder   folder;
   std::ostringstream out;
-  FlexodealOptions   files = options(folder);
-  files.markers            = data / "markers.dat";
+  FlexodealOptions   files = flexodeal_options(folder);
+  files.markers            = flexodeal_data / "markers.dat";
   import_flexodeal(files, out);
   const scene::Node scene  = read_whole_scene(files.scene, {});
   const auto       &system = scene.section("system");
@@ -108,19 +142,23 @@ TEST(Flexodeal, WhatIsLostIsNamed)
 {
   const TestFolder   folder;
   std::ostringstream out;
-  import_flexodeal(options(folder), out);
+  import_flexodeal(flexodeal_options(folder), out);
   for (const std::string entry :
        {"Pressure ratio p/p0 = 0", "Max iteration multiplier = 2", "Preconditioner relaxation = 0.65", "Tolerance displacement = 1e-9",
         "Output binary files main variables = true", "Markers list file = markers.dat"})
     EXPECT_NE(out.str().find(entry), std::string::npos) << entry;
   EXPECT_EQ(out.str().find("Tolerance force"), std::string::npos);
+  FlexodealOptions files = flexodeal_options(folder);
+  files.parameters       = complete(folder, "");
+  import_flexodeal(files, out);
+  EXPECT_NE(out.str().find("not carried over (this body does not use them): Sigma naught tendon = 2e5"), std::string::npos);
 }
 
 TEST(Flexodeal, ScheduleReplacesTheStepSize)
 {
   const TestFolder   folder;
   std::ostringstream out;
-  FlexodealOptions   files = options(folder);
+  FlexodealOptions   files = flexodeal_options(folder);
   files.steps              = "4 x 0.025; 8 x 0.0125";
   import_flexodeal(files, out);
   const scene::Node time = read_whole_scene(files.scene, {}).section("time");
@@ -128,25 +166,26 @@ TEST(Flexodeal, ScheduleReplacesTheStepSize)
   EXPECT_EQ(time.text("steps"), files.steps);
   EXPECT_FALSE(time.has("step"));
   files.steps = "4 times 0.025";
-  EXPECT_NE(refusal(files).find("--steps"), std::string::npos);
+  EXPECT_NE(flexodeal_refusal(files).find("--steps"), std::string::npos);
 }
 
 TEST(Flexodeal, QuasiStaticParametersTakeTheStaticIntegrator)
 {
   const TestFolder   folder;
   std::ostringstream out;
-  FlexodealOptions   files = options(folder);
+  FlexodealOptions   files = flexodeal_options(folder);
   files.parameters         = changed(folder, "= dynamic", "= quasi-static");
   import_flexodeal(files, out);
   EXPECT_EQ(read_whole_scene(files.scene, {}).section("integrator").text("type"), "static");
 }
 
 /// The number of whole steps, whatever the rounding of the quotient.
+
 TEST(Flexodeal, EndIsAWholeNumberOfSteps)
 {
   const TestFolder   folder;
   std::ostringstream out;
-  FlexodealOptions   files = options(folder);
+  FlexodealOptions   files = flexodeal_options(folder);
   files.parameters         = changed(folder, "End time       = 0.20000001", "End time = 0.21");
   import_flexodeal(files, out);
   EXPECT_DOUBLE_EQ(read_whole_scene(files.scene, {}).section("time").number("end"), 0.2);
@@ -163,35 +202,31 @@ TEST(Flexodeal, BadFilesAreRefusedWithFileAndLine)
       {{"set Muscle density                  = 1060", "", "\"Muscle density\" of subsection \"Materials\" is not set"}},
       {{"set Length ", "put Length ", "changed.prm, line 9: \"put Length              = 30\" is not understood"}},
       {{"= 30\n", "= -30\n", "changed.prm, line 9: Length = \"-30\" cannot be carried over"}},
-      {{"= 1060", "= heavy", "system/tissues/muscle/density: \"heavy\" is not a finite number"}},
-      {{"= dynamic", "= static", "system/inertia: \"static\" is not a valid choice"}},
-      {{"Pulling face ID = 1", "Pulling face ID = 4", "expected: an integer in [0, 1]"}},
+      {{"= 1060", "= heavy", "changed.prm, line 24: Muscle density: \"heavy\" is not a finite number"}},
+      {{"= dynamic", "= static", "changed.prm, line 5: Type of simulation: \"static\" is not a valid choice"}},
+      {{"Pulling face ID = 1", "Pulling face ID = 6", "the faces are, from 0 on: x-, x+"}},
+      {{"subsection Materials", "subsection Material", "hint: it belongs to subsection \"Materials\""}},
+      {{"set Max strain rate ", "set Max strain rates ", "hint: nearest valid name: \"Max strain rate\""}},
+      {{"subsection Time", "subsection Material properties\n set Shear modulus = 8e7\nend\nsubsection Time", "step 44"}},
+      {{"# A pennate", "include more.prm\n# A pennate", "other files are not read"}},
       {{"= 0.20000001", "= 0.01", "at least one time step"}},
       {{"  set Max strain rate                 = 5.0\n", "  set Muscle density = 1\n", "set again, after line 24"}},
       {{"set Output binary files tensors        = false\nend", "", "is not closed"}}};
   for (const auto &[from, to, message] : changes)
     {
-      FlexodealOptions files = options(folder);
+      FlexodealOptions files = flexodeal_options(folder);
       files.parameters       = changed(folder, from, to);
-      EXPECT_NE(refusal(files).find(message), std::string::npos) << message << " not in\n" << refusal(files);
+      EXPECT_NE(flexodeal_refusal(files).find(message), std::string::npos) << message << " not in\n" << flexodeal_refusal(files);
     }
-  FlexodealOptions files = options(folder);
-  files.strain           = folder.write("strain.dat", "0 0\n0.1 x\n");
-  EXPECT_NE(refusal(files).find("strain.dat, line 2"), std::string::npos);
-  files.strain = folder.write("strain.dat", "0 0\n0.2 1\n0.1 0\n");
-  EXPECT_NE(refusal(files).find("unsorted"), std::string::npos);
-  files         = options(folder);
-  files.markers = folder.write("markers.dat", "a 0 0\n");
-  EXPECT_NE(refusal(files).find("markers.dat, line 1"), std::string::npos);
-  files       = options(folder);
-  files.scene = folder / "no such folder" / "scene.xml";
-  EXPECT_NE(refusal(files).find("no such folder"), std::string::npos);
+  FlexodealOptions files = flexodeal_options(folder);
+  files.scene            = folder / "no such folder" / "scene.xml";
+  EXPECT_NE(flexodeal_refusal(files).find("no such folder"), std::string::npos);
 }
 
 TEST(Prm, SubsectionsCommentsAndContinuations)
 {
   const TestFolder folder;
-  const auto entries = read_prm(folder.write("a.prm", "set a = 1 # one\nsubsection x\n subsection y z\n  set b  =  2 \\\n 3\n end\nend\n"));
+  const auto entries = read_prm(folder.write("a.prm", "set a = 1 # one\nSUBSECTION x\n subsection y z\n  set b  =  2 \\\n 3\n END\nend\n"));
   ASSERT_EQ(entries.size(), 2u);
   EXPECT_EQ(entries[0].section + "|" + entries[0].name + "|" + entries[0].text, "|a|1");
   EXPECT_EQ(entries[1].section + "|" + entries[1].name + "|" + entries[1].text, "x/y z|b|2  3");

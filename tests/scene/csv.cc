@@ -62,6 +62,7 @@ namespace
 
   TEST_F(CsvInput, SkipsCommentsAndHeadersInFront)
   {
+    EXPECT_EQ(read("sep=;\r\na;b\r\n1;2\r\n").header, (std::vector<std::string>{"a", "b"})) << "as spreadsheets write it";
     const CsvTable commented = read("# recorded\n% by hand\n\nt,x\n0,1\n0.1,\n");
     EXPECT_EQ(commented.header, (std::vector<std::string>{"t", "x"}));
     EXPECT_NE(commented.where(1).find("line 6"), std::string::npos);
