@@ -18,10 +18,11 @@ namespace myolines
       return (a + b) / 2;
     }
 
-    /// The zero of @p f next to @p x within @p low and @p high, looked for in steps of a thousandth of that range.
-    double nearest_zero(const std::function<double(double)> &f, const double x, const double low, const double high,
+    /// The zero of @p f next to @p near within @p low and @p high, looked for in steps of a thousandth of that range.
+    double nearest_zero(const std::function<double(double)> &f, const double near, const double low, const double high,
                         const std::string &what)
     {
+      const double x    = std::clamp(near, low, high);
       const double step = (high - low) / 1000, at_x = f(x);
       if (at_x == 0)
         return x;

@@ -115,8 +115,11 @@ namespace myolines
       const double      optimal = scale * unit_length;
       const std::string type    = input.text("type");
       if (type == "synthetic")
-        return {std::make_shared<GaitLength>(optimal, input.number("base"), input.number("amplitude"), input.number("frequency")),
-                std::make_shared<GaitExcitation>(input.number("frequency"))};
+        {
+          refuse_length(input, "base", input.number("base") * optimal, optimal);
+          return {std::make_shared<GaitLength>(optimal, input.number("base"), input.number("amplitude"), input.number("frequency")),
+                  std::make_shared<GaitExcitation>(input.number("frequency"))};
+        }
       Input read;
       if (type == "file")
         read = {sampled(input, "file", "length column", driven_length, scale),

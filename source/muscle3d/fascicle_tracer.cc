@@ -116,11 +116,28 @@ namespace myolines
     return norm > 0 ? sum / norm : along;
   }
 
+  namespace
+  {
+    /// How far along the unit vector @p a until a coordinate of the reference cell has changed by one, taken from the mean edges of @p cell
+    /// [m]: in flat cells a way along them is not measured by their thickness.
+    double length_along(const NodeSpace::Cell &cell, const dealii::Tensor<1, 3> &a)
+    {
+      dealii::Tensor<2, 3> edges; // dx/dxi in the middle, by columns
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int i = 0; i < 3; ++i)
+            edges[i][c] += ((v >> c & 1) == 1 ? 0.25 : -0.25) * cell->vertex(v)[i];
+      const dealii::Tensor<1, 3> rate     = invert(edges) * a;
+      const double               greatest = std::max({std::abs(rate[0]), std::abs(rate[1]), std::abs(rate[2])});
+      return std::isfinite(greatest) && greatest > 0 ? 1 / greatest : cell->minimum_vertex_distance();
+    }
+  } // namespace
+
   FascicleTracer::Step FascicleTracer::step(const dealii::Point<3> &x, const Place &from, Vector3 &along) const
   {
-    const double h     = from.cell->minimum_vertex_distance() / 8;
     const auto   ended = [&](const std::optional<Place> &place) { return !place || !is_muscle(*place); };
     Vector3      a     = direction(from, along);
+    const double h     = length_along(from.cell, a) / 8;
     if (const std::optional<Place> middle = locate(x + h / 2 * a, from.cell); middle && is_muscle(*middle))
       a = direction(*middle, a);
     along                            = a;
