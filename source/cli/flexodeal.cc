@@ -23,10 +23,15 @@ namespace myolines
     const std::string moving_end = "system/boundary/moving end", fixed_end = "system/boundary/fixed end";
 
     /// The law is that of Yeoh where it has more than one constant. Returns whether there is fat.
-    bool add_fat(PeerTranslation &t)
+    bool add_fat(PeerTranslation &t, const PeerBody &body)
     {
-      const std::string fat = "system/tissues/muscle/fat/";
-      if (!t.peer.has("Materials", "Bulk modulus fat") && !t.peer.has("Materials", "Fat fraction"))
+      const std::string fat   = "system/tissues/muscle/fat/";
+      bool              given = false;
+      for (const char *entry : {"Bulk modulus fat", "Fat factor", "Fat constant 1", "Fat constant 2", "Fat constant 3", "Fat fraction"})
+        given = given || t.peer.has("Materials", entry);
+      if (!given && body.table_fat)
+        t.out << "assumed: the parameters have no fat, the table of points has; its law and constants are the defaults of this program\n";
+      if (!given)
         return false;
       const bool yeoh = t.peer.has("Materials", "Fat constant 2") || t.peer.has("Materials", "Fat constant 3");
       t.set(fat + "type", yeoh ? "yeoh" : "neo-hookean");
@@ -45,7 +50,7 @@ namespace myolines
     /// What is taken as it is: materials of the tissues that the body has, element and solver.
     void add_taken(PeerTranslation &t, const PeerBody &body)
     {
-      const bool fat = add_fat(t);
+      const bool fat = add_fat(t, body);
       for (const PeerEntry &entry : peer_entries())
         {
           const std::string path = entry.note;

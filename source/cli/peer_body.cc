@@ -83,6 +83,7 @@ namespace myolines
         }
       const PointProperties table(t.options.points);
       body.table_directions = table.has_directions();
+      body.table_fat        = table.has_fat();
       for (const unsigned int id : table.tissues())
         body.tissues.push_back(tissue_kinds()[id - 1].name);
       t.set("system/fields/table", t.from_scene(t.options.points));

@@ -16,6 +16,7 @@ namespace myolines
     int                      refinement = 0;
     std::vector<std::string> tissues;                  ///< of the body and of the table of points
     bool                     table_directions = false; ///< whether the table of points has fibres
+    bool                     table_fat        = false; ///< and fat
 
     bool        has(const std::string &tissue) const;
     std::string face(int boundary_id) const; ///< its name; "" if there is none

@@ -206,6 +206,8 @@ TEST(Flexodeal, BadFilesAreRefusedWithFileAndLine)
       {{"= dynamic", "= static", "changed.prm, line 5: Type of simulation: \"static\" is not a valid choice"}},
       {{"Pulling face ID = 1", "Pulling face ID = 6", "the faces are, from 0 on: x-, x+"}},
       {{"subsection Materials", "subsection Material", "hint: it belongs to subsection \"Materials\""}},
+      {{"  set Max strain rate ", "  set Fat factor = 1\n  set Max strain rate ",
+        "\"Bulk modulus fat\" of subsection \"Materials\" is not set"}},
       {{"set Max strain rate ", "set Max strain rates ", "hint: nearest valid name: \"Max strain rate\""}},
       {{"subsection Time", "subsection Material properties\n set Shear modulus = 8e7\nend\nsubsection Time", "step 44"}},
       {{"# A pennate", "include more.prm\n# A pennate", "other files are not read"}},
