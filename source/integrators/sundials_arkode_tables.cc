@@ -148,7 +148,8 @@ namespace myolines
           integrator.refuse("explicit table", "an additive method needs to know what is implicit", "a \"split\"");
       }
     else if (integrator.has("split"))
-      integrator.refuse("split", "only an additive method, with two tables, splits the forces", "no \"split\"");
+      integrator.refuse("split", "only an additive method, with two tables, splits the forces", "no \"split\"",
+                        "--unset integrator/split leaves it out");
     return tables;
   }
 

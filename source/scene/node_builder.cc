@@ -231,6 +231,18 @@ namespace myolines::scene
       return "";
     }
 
+    /// Whether @p chain has a choice of this name, but not this value of it.
+    bool is_other_choice(const RawParameter &parameter, const std::vector<const Schema *> &chain)
+    {
+      for (const Schema *link : chain)
+        for (const Entry &entry : link->entries())
+          if (entry.name == parameter.name && entry.kind == Kind::choice)
+            return !contains(entry.choices, trimmed(parameter.text));
+      return false;
+    }
+
+    bool is_other_choice(const RawList &, const std::vector<const Schema *> &) { return false; }
+
     bool has_overrides(const RawList &list)
     {
       const auto of_override = [](const RawParameter &parameter) { return parameter.from_override; };
@@ -239,8 +251,8 @@ namespace myolines::scene
     }
   } // namespace
 
-  /// An override that chooses another alternative takes with it what the file has for the former one; what overrides say themselves stays,
-  /// and is refused where it does not apply.
+  /// An override that chooses another alternative takes with it what the file has for the former one, and choices of one name that the new
+  /// one has not; what overrides say themselves stays, and is refused where it does not apply.
   void NodeBuilder::drop_former(RawList &raw, const std::vector<const Schema *> &chain, const Names &names, const std::string &path)
   {
     for (const Schema *link : chain)
@@ -261,8 +273,9 @@ namespace myolines::scene
         std::vector<std::string> dropped;
         const auto               drop = [&](auto &items, const auto &is_overridden) {
           const auto first = std::stable_partition(items.begin(), items.end(), [&](const auto &item) {
-            return of_former.count(item.name) == 0 || is_overridden(item) || contains(names.parameters, item.name) ||
-                   contains(names.lists, item.name) || names.any_list;
+            return of_former.count(item.name) == 0 || is_overridden(item) ||
+                   ((contains(names.parameters, item.name) || contains(names.lists, item.name) || names.any_list) &&
+                    !is_other_choice(item, chain));
           });
           for (auto item = first; item != items.end(); ++item)
             dropped.push_back("\"" + item->name + "\"");

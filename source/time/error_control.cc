@@ -128,7 +128,8 @@ namespace myolines
     const scene::Node &control = time.section("control");
     if (time.has("steps") || !time.has("step"))
       time.refuse(time.has("steps") ? "steps" : "step", "steps are chosen by error (\"time/control/type\")",
-                  "\"step\" [s], the first step that is tried", "no \"steps\"");
+                  "\"step\" [s], the first step that is tried",
+                  time.has("steps") ? "no \"steps\": --unset time/steps --set time/step=SIZE" : "no \"steps\"");
     if (!(time.number("end") > time.number("start")))
       time.refuse("end", "the end does not come after the start", "a time later than \"start\" [s]");
     const ErrorControlLimits limits{time.number("step"),

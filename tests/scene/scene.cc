@@ -295,13 +295,29 @@ TEST(Overrides, AnotherAlternativeTakesAwayWhatTheFileHasForTheFormer)
 {
   const std::string file = sublist("activation", parameter("type", "string", "sine") + parameter("frequency", "double", "2") +
                                                      sublist("window", parameter("width", "double", "3")));
-  const Node node = read(file, {"activation/type=constant", "activation/value=1"});
+  const Node        node = read(file, {"activation/type=constant", "activation/value=1"});
   EXPECT_EQ(node.section("activation").number("value"), 1);
   EXPECT_FALSE(node.section("activation").has("frequency"));
   ASSERT_EQ(node.notes().size(), 1u);
   EXPECT_EQ(node.notes()[0], "activation/type is \"constant\" instead of \"sine\": left out of the scene is \"frequency\", \"window\"");
   EXPECT_TRUE(read(file).notes().empty());
   EXPECT_TRUE(read(file, {"activation/type=sine"}).notes().empty());
+}
+
+TEST(Overrides, ChoicesThatTheOtherAlternativeHasNotAreTakenAwayToo)
+{
+  Schema one("One."), other("Other.");
+  one.choice("start", "gentle", {"gentle", "own"}, "How.").choice("end", "soft", {"soft", "hard"}, "How.");
+  other.choice("start", "short", {"short", "long"}, "How.").choice("end", "soft", {"soft", "hard"}, "How.");
+  const Schema      schema = Schema("Scene.").variant("type", std::nullopt, {{"one", one}, {"other", other}}, "Which.");
+  const std::string file   = "<ParameterList name=\"scene\">" + parameter("type", "string", "one") + parameter("start", "string", "own") +
+                           parameter("end", "string", "hard") + "</ParameterList>";
+  const Node node = parse_scene(file, schema, "scene.xml", ".", {"type=other"});
+  EXPECT_EQ(node.text("start"), "short");
+  EXPECT_EQ(node.text("end"), "hard");
+  ASSERT_EQ(node.notes().size(), 1u);
+  EXPECT_EQ(node.notes()[0], "type is \"other\" instead of \"one\": left out of the scene is \"start\"");
+  EXPECT_EQ(problems_of([&] { parse_scene(file, schema, "scene.xml", ".", {"type=other", "start=own"}); }).size(), 1u);
 }
 
 TEST(Overrides, WhatOverridesSayThemselvesIsNotTakenAway)
