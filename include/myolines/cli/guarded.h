@@ -7,10 +7,10 @@
 
 namespace myolines
 {
-  /// Runs @p command and says on @p err what it throws; the code is that of what was thrown. Where other ranks may not know of it, the
-  /// whole job ends here.
+  /// Runs @p command and tells what it throws on @p err; the exit code of the program. An error that other ranks may not know of ends the
+  /// whole job.
   ExitCode guarded(const std::function<void()> &command, std::ostream &err);
 
-  /// @p code, unless what was printed to standard output has not arrived.
+  /// @p code, or that of a system that refused if what was printed could not be written.
   ExitCode flushed(ExitCode code);
 } // namespace myolines
