@@ -1,8 +1,22 @@
 #include <myolines/cli/mpi_session.h>
 #include <myolines/cli/program.h>
 
+#include <fcntl.h>
+
+namespace
+{
+  /// A closed standard stream is opened for nothing, so that no file of a run gets its number, and with that what is printed.
+  void hold_standard_streams()
+  {
+    for (int stream = 0; stream <= 2; ++stream)
+      if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0)
+        return;
+  }
+} // namespace
+
 int main(int argc, char **argv)
 {
+  hold_standard_streams();
   myolines::MpiSession mpi(argc, argv);
   return myolines::program(argc, argv, mpi);
 }

@@ -155,8 +155,9 @@ namespace myolines
     std::vector<std::string> warnings = scene_.notes();
     warnings.insert(warnings.end(), assembled_.warnings.begin(), assembled_.warnings.end());
     for (const FileDrive *file : assembled_.files)
-      if (!file->note().empty())
-        warnings.push_back(file->note());
+      for (const std::string &note : {file->note(), file->note_of_times(settings_.start, settings_.end)})
+        if (!note.empty())
+          warnings.push_back(note);
     for (const scene::Node *output : intervals())
       if (const double rows = (settings_.end - settings_.start) / output->number("interval"); rows >= 1e6)
         {

@@ -291,8 +291,8 @@ namespace myolines
       ModesAlongOptions     along_;
     };
 
-    int refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv, std::ostream &out,
-                            std::ostream &err)
+    ExitCode refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv,
+                                 std::ostream &out, std::ostream &err)
     {
       std::vector<std::string> commands;
       for (const CLI::App *command : app.get_subcommands([](const CLI::App *) { return true; }))
@@ -305,8 +305,8 @@ namespace myolines
             err << "  hint: " << hint << "\n";
         }
       else if (app.exit(error, out, err) == 0)
-        return static_cast<int>(ExitCode::done);
-      return static_cast<int>(ExitCode::invalid_input);
+        return ExitCode::done;
+      return ExitCode::invalid_input;
     }
   } // namespace
 
@@ -335,7 +335,7 @@ namespace myolines
       }
     catch (const CLI::ParseError &error)
       {
-        return refuse_command_line(line.app, error, argc, argv, out, err);
+        return static_cast<int>(flushed(refuse_command_line(line.app, error, argc, argv, out, err)));
       }
     line.run.command_line = shell_text(std::vector<std::string>(argv, argv + argc));
     line.run.program      = argv[0];

@@ -156,10 +156,11 @@ namespace myolines
 
   void run_command(const RunOptions &options, std::ostream &out)
   {
-    RunRecord                   record{options.command_line, std::filesystem::absolute(options.scene).string(), iso8601_now(), "", {}, {}};
+    RunRecord                   record{options.command_line, "", iso8601_now(), "", {}, {}};
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     const std::string           resolved = scene::resolved_xml(experiment.scene());
+    record.scene                         = std::filesystem::absolute(options.scene).string();
     record.inputs                        = experiment.inputs();
     if (writes_files())
       record.inputs[options.scene.string()] = checksum_of_file(options.scene);

@@ -86,7 +86,7 @@ namespace myolines
             if (line.empty() || line.substr(0, 2) == "**")
               continue;
             if (line.front() == '*')
-              keyword(line);
+              keyword(whole_keyword(line));
             else
               data(line);
           }
@@ -107,6 +107,32 @@ namespace myolines
         std::set<int>               groups; ///< places in names_of_sets_
       };
 
+      /// A keyword whose line ends with a comma goes on in the next one.
+      std::string whole_keyword(const std::string_view first)
+      {
+        std::string all(first);
+        while (all.back() == ',' && cursor_.left() > 0)
+          all += " " + std::string(without_blanks(cursor_.line()));
+        return all;
+      }
+
+      /// Refuses what would make other nodes and elements than those that stand in the file.
+      void refuse_what_is_not_read()
+      {
+        static const std::set<std::string> makers{"*INCLUDE", "*SYSTEM", "*NGEN",   "*NFILL", "*NCOPY",
+                                                  "*NMAP",    "*ELGEN",  "*ELCOPY", "*IMPORT"};
+        const std::string                  hint = "write the mesh out as one input file";
+        if (makers.count(keyword_) > 0)
+          cursor_.refuse("the keyword " + keyword_ + " is not read", "a file that has all nodes and elements itself", hint);
+        const bool of_mesh = keyword_ == "*NODE" || keyword_ == "*ELEMENT" || keyword_ == "*NSET" || keyword_ == "*ELSET";
+        if (of_mesh && options_.count("INPUT") > 0)
+          cursor_.refuse(keyword_ + " takes its data from the file \"" + options_["INPUT"].substr(0, 40) + "\"",
+                         "a file that has all nodes and elements itself", hint);
+        if (keyword_ == "*NODE" && options_.count("SYSTEM") > 0 && upper(options_["SYSTEM"]) != "R")
+          cursor_.refuse("the nodes are in the coordinate system \"" + options_["SYSTEM"].substr(0, 40) + "\"",
+                         "rectangular coordinates, SYSTEM=R", hint);
+      }
+
       void keyword(const std::string_view line)
       {
         if (!element_.empty())
@@ -120,9 +146,7 @@ namespace myolines
             options_[upper(std::string(without_blanks(word.substr(0, equals))))] =
                 equals == std::string_view::npos ? "" : std::string(without_blanks(word.substr(equals + 1)));
           }
-        if (keyword_ == "*INCLUDE" || keyword_ == "*SYSTEM" || keyword_ == "*NGEN" || keyword_ == "*ELGEN" || keyword_ == "*NCOPY")
-          cursor_.refuse("the keyword " + keyword_ + " is not read", "a file that has all nodes and elements itself",
-                         "write the mesh out as one input file");
+        refuse_what_is_not_read();
         if (keyword_ == "*INSTANCE" && ++n_instances_ > 1)
           cursor_.refuse("there are several instances of parts", "one", "merge the parts");
         if (keyword_ == "*ELEMENT")

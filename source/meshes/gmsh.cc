@@ -81,14 +81,21 @@ namespace myolines
         cursor_.binary = false;
       }
 
-      /// Goes behind the line that ends a section.
-      void leave(const std::string &name, const bool needed)
+      /// Goes behind the line that ends a section. In one that was @p read nothing may be left: its counts would be wrong.
+      void leave(const std::string &name, const bool read)
       {
         const std::size_t end = cursor_.bytes().find((name == "NOD" || name == "ELM" ? "$END" : "$End") + name, cursor_.at());
-        if (end == std::string_view::npos && needed)
+        if (end == std::string_view::npos && read)
           cursor_.refuse("the section $" + name + " has no end: the file is cut off", "$End" + name);
         if (end == std::string_view::npos)
           return;
+        const std::size_t more = cursor_.bytes().find_first_not_of(" \t\r\n", cursor_.at());
+        if (read && more < end)
+          {
+            cursor_.go_to(more);
+            cursor_.refuse("the section $" + name + " has more than the number at its beginning announces", "$End" + name,
+                           "the file is damaged, or the number was not changed with the section");
+          }
         cursor_.go_to(end);
         cursor_.line();
       }

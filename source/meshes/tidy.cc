@@ -77,16 +77,25 @@ namespace myolines
       return used;
     }
 
-    /// Keeps used points, and of several at one place the first.
+    std::vector<bool> points_of_faces(const PlainMesh &mesh)
+    {
+      std::vector<bool> used(mesh.points.size(), false);
+      for (const Element &face : mesh.faces)
+        for (unsigned int i = 0; i < n_corners(face.shape); ++i)
+          used[face.corner[i]] = true;
+      return used;
+    }
+
+    /// Keeps points of cells, and of several at one place the first. Surfaces that have points of their own get those of the cells.
     void renumber(PlainMesh &mesh, Tidying &done)
     {
-      const std::vector<bool>   used = points_of_cells(mesh);
+      const std::vector<bool>   used = points_of_cells(mesh), of_faces = points_of_faces(mesh);
       std::vector<unsigned int> fresh(mesh.points.size(), no_corner);
       std::vector<Position>     kept;
       Places                    places(mesh);
       for (unsigned int i = 0; i < mesh.points.size(); ++i)
         if (!used[i])
-          ++done.unused;
+          continue;
         else if (const auto same = places.find(mesh.points[i]))
           {
             ++done.joined;
@@ -98,6 +107,14 @@ namespace myolines
             fresh[i] = static_cast<unsigned int>(kept.size());
             kept.push_back(mesh.points[i]);
           }
+      for (unsigned int i = 0; i < mesh.points.size(); ++i)
+        if (const auto same = !used[i] && of_faces[i] ? places.find(mesh.points[i]) : std::nullopt)
+          {
+            ++done.joined;
+            fresh[i] = fresh[*same];
+          }
+        else if (!used[i])
+          ++done.unused;
       for (auto *elements : {&mesh.cells, &mesh.faces})
         for (Element &element : *elements)
           for (unsigned int i = 0; i < n_corners(element.shape); ++i)
@@ -107,7 +124,9 @@ namespace myolines
         return std::find(face.corner.begin(), face.corner.begin() + n_corners(face.shape), no_corner) !=
                face.corner.begin() + n_corners(face.shape);
       };
-      mesh.faces.erase(std::remove_if(mesh.faces.begin(), mesh.faces.end(), has_none), mesh.faces.end());
+      const auto loose = std::remove_if(mesh.faces.begin(), mesh.faces.end(), has_none);
+      done.loose       = static_cast<std::size_t>(mesh.faces.end() - loose);
+      mesh.faces.erase(loose, mesh.faces.end());
     }
 
     void drop_second_cells(PlainMesh &mesh, Tidying &done)
@@ -160,16 +179,16 @@ namespace myolines
 
   std::array<Position, 2> box_around(const PlainMesh &mesh)
   {
-    std::array<Position, 2> box{};
-    if (!mesh.points.empty())
-      box = {{mesh.points.front(), mesh.points.front()}};
-    for (const Position &x : mesh.points)
-      for (unsigned int c = 0; c < 3; ++c)
-        {
-          box[0][c] = std::min(box[0][c], x[c]);
-          box[1][c] = std::max(box[1][c], x[c]);
-        }
-    return box;
+    constexpr double        infinity = std::numeric_limits<double>::infinity();
+    std::array<Position, 2> box{{{{infinity, infinity, infinity}}, {{-infinity, -infinity, -infinity}}}};
+    for (const Element &cell : mesh.cells)
+      for (unsigned int i = 0; i < n_corners(cell.shape); ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            box[0][c] = std::min(box[0][c], mesh.points[cell.corner[i]][c]);
+            box[1][c] = std::max(box[1][c], mesh.points[cell.corner[i]][c]);
+          }
+    return mesh.cells.empty() ? std::array<Position, 2>{} : box;
   }
 
   Tidying tidy(PlainMesh &mesh)

@@ -106,9 +106,9 @@ namespace myolines
         if (kind.shape)
           {
             const std::size_t n = n_corners(*kind.shape);
-            if (end - begin < n)
+            if (end - begin < n || (kind.straight && end - begin != n))
               cursor_.refuse("cell " + std::to_string(i) + " has " + std::to_string(end - begin) + " points",
-                             "at least " + std::to_string(n));
+                             (kind.straight ? "" : "at least ") + std::to_string(n));
             std::vector<std::int64_t> corners(n);
             for (std::size_t v = 0; v < n; ++v)
               corners[v] = static_cast<std::int64_t>(first_point_ + index(connectivity[begin + v], 0,

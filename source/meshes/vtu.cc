@@ -36,6 +36,8 @@ namespace myolines
           place_ = tag.closed ? "" : tag.name;
         else if (tag.name == "DataArray" || tag.name == "Array")
           read_array(tag);
+        else if (tag.name == "Piece")
+          piece_ = tag;
         else if (tag.name == "/Piece")
           end_piece();
         else if (tag.name == "AppendedData" || tag.name == "/VTKFile")
@@ -110,10 +112,21 @@ namespace myolines
             }
       }
 
+      /// The head of a piece says how many points and cells its arrays hold.
+      void require(const std::string &attribute, const std::size_t n, const std::string &things) const
+      {
+        if (const std::string said = piece_.attribute(attribute); !said.empty() && number_of(said) != static_cast<double>(n))
+          cursor_.refuse("a piece of the grid has " + std::to_string(n) + " " + things + ", but " + attribute + " is \"" +
+                             said.substr(0, 40) + "\"",
+                         "as many", "the file is damaged");
+      }
+
       /// Its arrays may come in any order.
       void end_piece()
       {
         ++n_pieces_;
+        require("NumberOfPoints", points_.size() / 3, "points");
+        require("NumberOfCells", cells_["types"].size(), "cells");
         grid_.add_points(points_);
         grid_.add_cells(cells_["connectivity"], cells_["offsets"], cells_["types"]);
         for (const auto &[of_cells, field] : fields_)
@@ -127,6 +140,7 @@ namespace myolines
       PlainMesh                                      mesh_;
       VtkGrid                                        grid_;
       VtuEncoding                                    encoding_;
+      XmlTag                                         piece_;
       std::string                                    place_; ///< the list of arrays that the cursor is in
       std::vector<double>                            points_;
       std::map<std::string, std::vector<double>>     cells_;

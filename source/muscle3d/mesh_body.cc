@@ -72,6 +72,7 @@ namespace myolines
       tell(mesh.straightened, "cells of higher order: their edges are straightened", body.report);
       tell(done.joined, "points at the place of another one: joined with it", body.report);
       tell(done.unused, "points of no cell: dropped", body.report);
+      tell(done.loose, "faces with points of no cell: dropped", body.report);
       tell(done.twice, "cells were there twice: once taken", body.report);
       tell(done.turned, "left-handed cells: turned", body.report);
       refuse_what_is_no_body(mesh, refuse);

@@ -48,16 +48,23 @@ namespace myolines
           place_[face_key(outside_[i])] = i;
       }
 
-      /// Groups of the mesh, by number. One within the body is no face.
+      /// Groups of the mesh, by number; those of one name are one. A group within the body is no face.
       void add_groups()
       {
         std::map<int, std::vector<std::size_t>> quads;
         std::map<int, std::size_t>              inside;
+        std::map<std::string, int>              first; // number of a name
+        for (const auto &[group, name] : mesh_.face_groups)
+          first.emplace(name, group);
+        const auto number = [&](const int group) {
+          const auto named = mesh_.face_groups.find(group);
+          return named == mesh_.face_groups.end() || named->second.empty() ? group : first.at(named->second);
+        };
         for (const PlainMesh::Element &face : mesh_.faces)
           if (const auto found = place_.find(face_key(face)); found != place_.end())
-            quads[face.group].push_back(found->second);
+            quads[number(face.group)].push_back(found->second);
           else
-            ++inside[face.group];
+            ++inside[number(face.group)];
         for (const auto &[group, n] : inside)
           if (quads.count(group) == 0)
             body_.report.push_back("the surface \"" + name_of(group) + "\" is within the body: it is no face");

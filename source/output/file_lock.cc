@@ -29,7 +29,7 @@ namespace myolines
   } // namespace
 
   FileLock::FileLock(const std::filesystem::path &file, const Kind kind, const std::string &holder)
-    : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+    : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666))
   {
     const auto refuse = [&](const std::string &what) {
       throw InputError(InputProblem{file.string(), what, "a folder into which nothing else writes",

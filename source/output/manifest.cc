@@ -3,6 +3,7 @@
 #include <myolines/output/manifest.h>
 #include <myolines/output/text_file.h>
 #include <myolines/output/version.h>
+#include <myolines/scene/input_text.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -58,8 +59,7 @@ namespace myolines
 
     Json json_of(const std::filesystem::path &file)
     {
-      std::ifstream stream(file);
-      return Json::parse(stream, nullptr, /*allow_exceptions*/ false);
+      return Json::parse(scene::read_input_bytes(file), nullptr, /*allow_exceptions*/ false);
     }
 
     /// The blocks of the file that is there are enough for a new text of much the same length.
@@ -67,9 +67,19 @@ namespace myolines
     {
       if (!writes_files())
         return;
-      File there(file, File::Mode::write);
-      there.write_at(0, text.data(), text.size());
-      there.resize(text.size());
+      const std::string before = read_file(file);
+      File              there(file, File::Mode::write);
+      try
+        {
+          there.write_at(0, text.data(), text.size());
+          there.resize(text.size());
+        }
+      catch (const SystemError &)
+        {
+          there.write_at(0, before.data(), before.size()); // rather the old one than half a new one
+          there.resize(before.size());
+          throw;
+        }
       there.close();
     }
 
@@ -110,6 +120,8 @@ namespace myolines
       }
     catch (const SystemError &)
       {
+        if (std::error_code none; !std::filesystem::exists(file, none))
+          throw; // an empty one would say that the folder is not ours
         write_over(file, text);
       }
   }

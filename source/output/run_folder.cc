@@ -32,6 +32,20 @@ namespace myolines
       on_writing_rank("output folder " + folder.string(), "a folder that can be made and written", elsewhere, action);
     }
 
+    /// Old results must not go that the run reads. The scene itself may: it has been read, and is written again as it was resolved.
+    void refuse_inputs(const std::filesystem::path &folder, const std::vector<std::filesystem::path> &old, const RunRecord &record)
+    {
+      const auto is = [](const std::filesystem::path &file, const std::filesystem::path &other) {
+        std::error_code not_there;
+        return std::filesystem::equivalent(file, other, not_there);
+      };
+      for (const std::filesystem::path &name : old)
+        for (const auto &[input, checksum] : record.inputs)
+          if (is(folder / name, input) && !is(input, record.scene))
+            refuse_folder(folder, "the scene reads the file " + name.string() + " there, which is of an earlier run and would go",
+                          "choose another folder with --out, or copy that file to a place of its own");
+    }
+
     std::set<std::string> files_of(const std::filesystem::path &folder)
     {
       const auto manifest = read_manifest(folder);
@@ -60,6 +74,7 @@ namespace myolines
   OutputFolder RunFolder::begin(const std::string &resolved, const bool overwrite, const RunRecord &record) const
   {
     collectively(path_, [&] {
+      refuse_inputs(path_, old_results(), record);
       if (overwrite || !has_other_results(resolved))
         return remove_old_results();
       if (read_manifest(path_)->scene != record.scene)

@@ -50,6 +50,8 @@ namespace myolines::scene
 
     std::optional<std::string> text_of(const std::filesystem::path &file)
     {
+      if (std::error_code none; !std::filesystem::is_regular_file(file, none))
+        return std::nullopt; // a pipe would be waited for
       std::ifstream      stream(file, std::ios::binary);
       std::ostringstream text;
       if (!stream || !(text << stream.rdbuf()))

@@ -86,6 +86,8 @@ namespace myolines::scene
     if (const std::size_t at = first_not_utf8(text); at != std::string::npos)
       refuse_input(file, "the byte " + hexadecimal(text[at]) + " in line " + line_number(text, at) + " is not UTF-8", "text in UTF-8",
                    "save the file as UTF-8; from Latin-1: iconv -f latin1 -t utf-8");
+    if (text.find('\n') == std::string::npos)
+      std::replace(text.begin(), text.end(), '\r', '\n');
     return text;
   }
 } // namespace myolines::scene

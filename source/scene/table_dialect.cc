@@ -21,11 +21,17 @@ namespace myolines::scene
       return lines;
     }
 
+    bool is_comment(const std::string &line)
+    {
+      const std::size_t first = line.find_first_not_of(" \t");
+      return first != std::string::npos && (line[first] == '#' || line[first] == '%');
+    }
+
+    /// What may stand before the names: nothing, a comment, or "sep=;", which spreadsheets understand.
     bool is_skipped(const std::string &line)
     {
-      const std::string text      = trimmed(line);
-      const bool        separator = text.size() == 5 && text.rfind("sep=", 0) == 0; // "sep=;", of spreadsheets
-      return text.empty() || text[0] == '#' || text[0] == '%' || separator;
+      const std::string text = trimmed(line);
+      return text.empty() || is_comment(text) || (text.rfind("sep=", 0) == 0 && text.size() <= 5);
     }
 
     std::vector<std::string> fields_of(const std::string &line, const char separator)
@@ -61,11 +67,12 @@ namespace myolines::scene
       return join(words, "\t");
     }
 
+    /// Comments become empty lines.
     std::string join_lines(const std::vector<std::string> &lines, const std::size_t begin)
     {
       std::string text;
       for (std::size_t i = begin; i < lines.size(); ++i)
-        text += lines[i] + "\n";
+        text += (is_comment(lines[i]) ? "" : lines[i]) + "\n";
       return text;
     }
 
@@ -116,7 +123,7 @@ namespace myolines::scene
     if (opensim)
       return {join_lines(lines, begin), number, '\t'};
     std::size_t values = begin + 1;
-    while (values < lines.size() && trimmed(lines[values]).empty())
+    while (values < lines.size() && (trimmed(lines[values]).empty() || is_comment(lines[values])))
       ++values;
     return {join_lines(lines, begin), number,
             separator_of(lines[begin], values < lines.size() ? lines[values] : "", file.string() + ", line " + std::to_string(number))};

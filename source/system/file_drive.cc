@@ -147,6 +147,17 @@ namespace myolines
                                     "choose a start and an end inside the samples"});
   }
 
+  std::string FileDrive::note_of_times(const double start, const double end) const
+  {
+    constexpr std::size_t few = 10, many = 20;
+    const std::size_t     n = n_samples(start, end);
+    if (n >= few || n_samples() < many * (n + 1))
+      return "";
+    return "only " + std::to_string(n) + " of the " + std::to_string(n_samples()) + " samples in " + file_ +
+           " are within the run: they are known " + interval_text(begin(), this->end()) +
+           ". If their times are in milliseconds, write that into the name of their column, such as \"time [ms]\"";
+  }
+
   const FileDrive *file_of(const Drive *drive)
   {
     if (const auto *activation = dynamic_cast<const ZajacActivation *>(drive))

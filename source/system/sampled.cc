@@ -117,6 +117,12 @@ namespace myolines
     return at ? (2 * at->cubic.c2 + 6 * at->s * at->cubic.c3) / at->cubic.h : 0;
   }
 
+  std::size_t SampledDrive::n_samples(const double t0, const double t1) const
+  {
+    return static_cast<std::size_t>(
+        std::max<std::ptrdiff_t>(0, std::upper_bound(t_.begin(), t_.end(), t1) - std::lower_bound(t_.begin(), t_.end(), t0)));
+  }
+
   std::vector<double> SampledDrive::kinks(const double t0, const double t1) const
   {
     std::vector<double> inside;

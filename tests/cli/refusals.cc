@@ -94,6 +94,8 @@ TEST(SystemRefuses, StandardOutputThatIsFull)
   EXPECT_EQ(WEXITSTATUS(status), 4);
   EXPECT_TRUE(has(folder.text("err.txt"), "cannot write standard output"));
   EXPECT_TRUE(has(folder.text("out/manifest.json"), "\"done\"")) << "the run itself is whole";
+  const std::string help = "'" + myolines::test::program_file() + "' --help > /dev/full 2> '" + (folder / "err.txt").string() + "'";
+  EXPECT_EQ(WEXITSTATUS(std::system(help.c_str())), 4);
 }
 
 TEST(SystemRefuses, ARunGoesOnWithoutItsReader)

@@ -74,6 +74,13 @@ namespace myolines
       EXPECT_EQ(mesh.further_groups.at(0), std::vector<int>{2});
     }
 
+    TEST(AbaqusFiles, KeywordsGoOverLines)
+    {
+      const PlainMesh mesh = test::mesh_of(nodes() + "*Element,\n type=C3D8R,\n elset=a\n" + element(1, 0));
+      ASSERT_EQ(mesh.cells.size(), 1u);
+      EXPECT_EQ(mesh.cell_groups.at(mesh.cells[0].group), "a");
+    }
+
     TEST(AbaqusFiles, NoDamageDoesAnyHarm)
     {
       for (const std::string &text : all_ways())
@@ -98,6 +105,9 @@ namespace myolines
       told(nodes() + "*ELEMENT, TYPE=C3D4\n1, 5, 10, 15, 99\n", "has the point 99");
       told(nodes() + cells() + "*SURFACE, NAME=c, TYPE=ELEMENT\na, S7\n", "\"S7\" is no side of the element 1");
       told("*INCLUDE, INPUT=other.inp\n", "the keyword *INCLUDE is not read");
+      told(nodes() + cells() + "*ELCOPY, ELEMENT SHIFT=9, OLD SET=a, SHIFT NODES=9\n", "the keyword *ELCOPY is not read");
+      told("*NODE, INPUT=nodes.dat\n", "*NODE takes its data from the file \"nodes.dat\"");
+      told("*NODE, SYSTEM=C\n1, 0.5, 90, 0\n", "the nodes are in the coordinate system \"C\"");
       told(nodes() + "*NSET, NSET=c, GENERATE\n1, 9000000000, 1\n", "a set goes from 1 to 9000000000");
     }
   } // namespace

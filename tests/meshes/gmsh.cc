@@ -74,6 +74,8 @@ namespace myolines
       told("3 5 4 1 0 1 1 5 ", "3 5 4 1 0 1 1 6 ", "has the point 6, which is not in the file");
       told("3 5 4 1", "3 99 4 1", "elements of type 99 are not known");
       told("$EndElements", "$End", "has no end: the file is cut off");
+      told("$Nodes\n12", "$Nodes\n11", "the section $Nodes has more than the number at its beginning announces");
+      told("$EndElements", "9 3 2 11 1 5 20 50 35\n$EndElements", "the section $Elements has more");
       told("15 2.5 0 0", "5 2.5 0 0", "the point 5 is there twice");
       std::string binary = test::gmsh_4(true, true);
       binary.resize(binary.size() - 60);

@@ -134,6 +134,24 @@ namespace myolines
       EXPECT_EQ(outer_faces(mesh).size(), 10u);
     }
 
+    /// A surface that was meshed apart has copies of the points; a face that lies nowhere on the cells has others, and a point far away
+    /// says nothing of how near points of one place are.
+    TEST(Tidy, SurfacesGetThePointsOfTheCells)
+    {
+      PlainMesh mesh = mixed(false);
+      mesh.cells.resize(1);
+      for (const int i : {0, 3, 7, 4})
+        mesh.points.push_back(mesh.points[i]);
+      mesh.points.push_back({{1e9, 0, 0}});
+      mesh.faces         = {{Shape::quadrilateral, 5, {{11, 12, 13, 14}}}, {Shape::triangle, 6, {{5, 8, 9}}}};
+      const Tidying done = tidy(mesh);
+      EXPECT_EQ(mesh.points.size(), 8u);
+      EXPECT_EQ(done.joined, 4u);
+      EXPECT_EQ(done.loose, 1u);
+      ASSERT_EQ(mesh.faces.size(), 1u);
+      EXPECT_EQ(face_key(mesh.faces[0]), (FaceKey{{0, 3, 4, 7}}));
+    }
+
     TEST(Tidy, HangingPointsAreFound)
     {
       PlainMesh mesh = mixed(false);

@@ -278,6 +278,8 @@ namespace myolines
       told(text, "0.25 ", "0.25 0.25 ", "\"height\" has 13 numbers");
       told(text, "9 1 2 11", "9 1.5 2 11", "\"gmsh:physical\" of cell 1 is 1.5");
       told(text, "</VTKFile>", "", "the file is cut off");
+      told(text, "NumberOfCells=\"5\"", "NumberOfCells=\"6\"", "has 5 cells, but NumberOfCells is \"6\"");
+      told(text, "NumberOfPoints=\"12\"", "NumberOfPoints=\"13\"", "has 12 points, but NumberOfPoints is \"13\"");
       told(legacy(false, false), "UNSTRUCTURED_GRID", "POLYDATA", "the data set is POLYDATA");
       told(legacy(false, false), "POINTS 12", "POINTS 1200000000", "which the");
       // A block that is said to hold much more than zlib can compress.

@@ -214,6 +214,11 @@ namespace myolines
       const MeshBody twice(written(cube + "3\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 3 2 7 7 1 2 3 4\n3 3 2 8 8 1 2 3 4\n$EndElements\n"), 1, "");
       EXPECT_EQ(twice.face_names, (std::vector<std::string>{"7", "rest"}));
       EXPECT_EQ(twice.further_names, (std::map<std::string, unsigned int>{{"8", 0}})) << "one face of two names";
+      std::string ends = cube + "3\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 3 2 7 7 1 2 3 4\n3 3 2 8 8 5 6 7 8\n$EndElements\n";
+      ends.insert(ends.find("$Nodes"), "$PhysicalNames\n2\n2 7 \"ends\"\n2 8 \"ends\"\n$EndPhysicalNames\n");
+      const MeshBody both(written(ends), 1, "");
+      EXPECT_EQ(both.face_names, (std::vector<std::string>{"ends", "rest"})) << "two surfaces of one name are one";
+      EXPECT_NE(join(both.report).find("2 quadrilaterals on the face \"ends\""), std::string::npos) << join(both.report);
       EXPECT_EQ(body.tissues, std::vector<std::string>{"muscle"});
       EXPECT_NE(join(body.report).find("is the only one and names no tissue"), std::string::npos) << join(body.report);
     }

@@ -58,6 +58,21 @@ TEST(RunFolder, ResultsOfAnotherSceneAreNotRemovedUnasked)
   EXPECT_FALSE(is_in(folder, "shape.csv"));
 }
 
+TEST(RunFolder, OldResultsThatTheRunReadsStay)
+{
+  test::Folder folder;
+  run(folder.path, "scene", "strain.csv");
+  const RunFolder place(folder.path);
+  for (const bool overwrite : {false, true})
+    for (const char *scene : {"scene", "other scene"})
+      {
+        const RunRecord   record{"", scene, "", "", {{(folder.path / "." / "strain.csv").string(), "checksum"}}, {}};
+        const std::string told = complaint([&] { place.begin(scene, overwrite, record); });
+        EXPECT_NE(told.find("reads the file strain.csv there"), std::string::npos) << told;
+      }
+  EXPECT_TRUE(is_in(folder, "strain.csv"));
+}
+
 TEST(RunFolder, FilesOfOthersAreLeftAlone)
 {
   test::Folder folder;
@@ -73,6 +88,18 @@ TEST(RunFolder, FilesOfOthersAreLeftAlone)
   std::ofstream(folder.path / "manifest.json") << R"({"name": "my web app"})";
   EXPECT_NE(complaint([&] { run(folder.path, "scene", "strain.csv", true); }).find("manifest.json"), std::string::npos);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path), {}), 1) << "nothing was written there";
+}
+
+/// A link with the name of the lock may lead to anything.
+TEST(RunFolder, TheLockIsNoLink)
+{
+  test::Folder folder;
+  const auto   results = folder.path / "results";
+  std::ofstream(folder.path / "precious.txt") << "mine";
+  std::filesystem::create_directories(results);
+  std::filesystem::create_symlink(folder.path / "precious.txt", results / "run.lock");
+  EXPECT_NE(complaint([&] { run(results, "scene", "strain.csv"); }).find("run.lock"), std::string::npos);
+  EXPECT_EQ(folder.text("precious.txt"), "mine");
 }
 
 TEST(RunFolder, HasOneRunAtATime)

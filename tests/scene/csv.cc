@@ -60,6 +60,18 @@ namespace
     EXPECT_EQ(read("Zeit [s];Kraft, links\n0,5;2\n").header[1], "Kraft, links");
   }
 
+  TEST_F(CsvInput, ReadsLineEndsAndHeadsOfSpreadsheets)
+  {
+    for (const char *text : {"t,x\r0,1\r0.1,2\r", "sep=;\r\nt;x\r\n0;1\r\n0,1;2\r\n", "t,x\n# begins\n0,1\n  # goes on\n0.1,2\n"})
+      {
+        const CsvTable table = read(text);
+        EXPECT_EQ(table.header, (std::vector<std::string>{"t", "x"})) << text;
+        EXPECT_EQ(table.numbers(0), (std::vector<double>{0, 0.1})) << text;
+        EXPECT_EQ(table.numbers(1), (std::vector<double>{1, 2})) << text;
+      }
+    EXPECT_NE(read("t,x\n# begins\n0,1\n").where(0).find("line 3"), std::string::npos);
+  }
+
   TEST_F(CsvInput, SkipsCommentsAndHeadersInFront)
   {
     EXPECT_EQ(read("sep=;\r\na;b\r\n1;2\r\n").header, (std::vector<std::string>{"a", "b"})) << "as spreadsheets write it";

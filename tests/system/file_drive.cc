@@ -148,4 +148,20 @@ namespace
     EXPECT_THROW(file->require(0.6, 0.91), InputError);
     EXPECT_EQ(ZajacActivation(Zajac(), drive).value(0.6, Side::right), Zajac().steady(0.2));
   }
+
+  /// Half a second at 100 Hz whose times are milliseconds, and nobody says so.
+  TEST_F(FileDriveTest, TellsWhereTheRunSeesFewSamples)
+  {
+    const auto note = [this](const std::string &time, const double end) {
+      std::string text = time + ",u\n";
+      for (int i = 0; i <= 50; ++i)
+        text += std::to_string(10 * i) + ",0.2\n";
+      write(text);
+      const auto drive = make(excitation_);
+      return file_of(drive.get())->note_of_times(0, end);
+    };
+    EXPECT_NE(note("time", 0.5).find("only 1 of the 51 samples"), std::string::npos) << note("time", 0.5);
+    EXPECT_EQ(note("time [ms]", 0.5), "");
+    EXPECT_EQ(note("time", 100), "");
+  }
 } // namespace

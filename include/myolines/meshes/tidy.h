@@ -8,17 +8,18 @@ namespace myolines
   struct Tidying
   {
     std::size_t unused = 0; ///< points of no cell, dropped
+    std::size_t loose  = 0; ///< faces with points of no cell, dropped
     std::size_t joined = 0; ///< points at the place of another one, which took their place
     std::size_t turned = 0; ///< left-handed cells, turned
     std::size_t twice  = 0; ///< cells that were there already
   };
 
   /// Leaves in @p mesh only points of cells, one at each place (within a millionth of the size of the box around them), and every cell
-  /// once, in all its groups, right-handed. Faces with other points are dropped. Fields keep their rows only where nothing is dropped:
-  /// they are left out otherwise.
+  /// once, in all its groups, right-handed. Faces whose points are at no place of these are dropped. Fields keep their rows only where
+  /// nothing is dropped: they are left out otherwise.
   Tidying tidy(PlainMesh &mesh);
 
-  /// Low and high corner of the box around the points.
+  /// Low and high corner of the box around the cells.
   std::array<PlainMesh::Position, 2> box_around(const PlainMesh &mesh);
 
   /// A cell of each part of the mesh that has no point in common with the others.

@@ -21,7 +21,8 @@ namespace myolines
     /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones. Results of the same scene
     /// with other values are moved to the folder earlier-1 (or -2, ...) in this one, unless they are to @p overwrite. Writes the manifest
     /// of the run, as running, before anything else.
-    /// @throws InputError if these are of another scene and not to @p overwrite, or a file is not of a run.
+    /// @throws InputError if these are of another scene and not to @p overwrite, one of them is an input of this run, or a file is not of a
+    /// run.
     OutputFolder begin(const std::string &resolved, bool overwrite, const RunRecord &record) const;
 
     /// For a run that goes on with what it @p saved.

@@ -6,7 +6,7 @@
 namespace myolines::scene
 {
   /// The text of a file that a person gives: a regular file, not empty, in UTF-8 and without zero bytes. A byte order mark is left out.
-  /// @throws InputError that names the file and what is wrong with it.
+  /// Carriage returns that alone end lines become new lines. @throws InputError that names the file and what is wrong with it.
   std::string read_input_text(const std::filesystem::path &file);
 
   /// The same, byte by byte, for files that may be binary; a byte order mark is left out as well.

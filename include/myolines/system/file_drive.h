@@ -47,6 +47,9 @@ namespace myolines
     /// What has been cut off, where that is more than 1e-3 of the range, a sentence; else "".
     const std::string &note() const { return note_; }
 
+    /// A sentence where a run from @p start to @p end [s] sees so little of the samples that their times may be in another unit; else "".
+    std::string note_of_times(double start, double end) const;
+
   private:
     struct Made;
     FileDrive(const FileProfile &profile, const Driven &driven, const Made &made);

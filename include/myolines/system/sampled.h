@@ -36,6 +36,9 @@ namespace myolines
     double begin() const { return t_.front(); } ///< [s]
     double end() const { return t_.back(); }    ///< [s]
 
+    std::size_t n_samples() const { return t_.size(); }
+    std::size_t n_samples(double t0, double t1) const; ///< of those, from t0 to t1 [s]
+
     struct Extremes
     {
       double least, greatest;
