@@ -11,7 +11,6 @@ namespace myolines
 {
   namespace
   {
-    using dealii::Point;
     using Matrix = dealii::Tensor<2, 3>;
     using Arrow  = dealii::Tensor<1, 3>;
 
@@ -51,7 +50,7 @@ namespace myolines
       static Matrix rotation()
       {
         Arrow axis({1, 2, -0.5});
-        return dealii::Physics::Transformations::Rotations::rotation_matrix_3d(Point<3>(axis / axis.norm()), 0.8);
+        return dealii::Physics::Transformations::Rotations::rotation_matrix_3d(dealii::Point<3>(axis / axis.norm()), 0.8);
       }
 
       WorkLedger     ledger_;

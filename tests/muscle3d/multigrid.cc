@@ -14,7 +14,7 @@ namespace myolines
       return condition;
     }
 
-    struct Case
+    struct MultigridCase
     {
       unsigned int degree, n_points, refinement;
       double       activation, bulk_modulus;
@@ -26,7 +26,7 @@ namespace myolines
     /// A muscle linearised at a smooth state; solves with a random right-hand side.
     struct Problem
     {
-      explicit Problem(const Case &c)
+      explicit Problem(const MultigridCase &c)
         : system(parameters(c), MPI_COMM_WORLD, ledger)
       {
         if (c.distorted)
@@ -53,7 +53,7 @@ namespace myolines
         symmetric = system.capabilities().symmetric_tangent;
       }
 
-      static Muscle3dParameters parameters(const Case &c)
+      static Muscle3dParameters parameters(const MultigridCase &c)
       {
         Muscle3dParameters p    = test::small_block(c.degree, c.n_points, c.refinement);
         p.activation            = c.activation > 0 ? std::make_shared<test::ConstantDrive>(c.activation) : nullptr;
@@ -79,7 +79,7 @@ namespace myolines
       bool                           symmetric;
     };
 
-    class PMultigrid : public ::testing::TestWithParam<Case>
+    class PMultigrid : public ::testing::TestWithParam<MultigridCase>
     {
     };
 
@@ -96,12 +96,12 @@ namespace myolines
     }
 
     INSTANTIATE_TEST_SUITE_P(States, PMultigrid,
-                             ::testing::Values(Case{2, 3, 2, 0, 1e7, false, true, 60},    // passive: symmetric, CG
-                                               Case{2, 3, 2, 1, 1e7, false, true, 60},    // fully active: GMRES
-                                               Case{2, 4, 2, 0.5, 1e7, false, false, 60}, // symmetrised, lean quadrature
-                                               Case{2, 3, 2, 0.5, 1e6, true, true, 60},   // no cell is a parallelepiped
-                                               Case{2, 3, 2, 0.5, 1e8, false, true, 60},  //
-                                               Case{3, 4, 1, 0.5, 1e7, true, true, 60}));
+                             ::testing::Values(MultigridCase{2, 3, 2, 0, 1e7, false, true, 60},    // passive: symmetric, CG
+                                               MultigridCase{2, 3, 2, 1, 1e7, false, true, 60},    // fully active: GMRES
+                                               MultigridCase{2, 4, 2, 0.5, 1e7, false, false, 60}, // symmetrised, lean quadrature
+                                               MultigridCase{2, 3, 2, 0.5, 1e6, true, true, 60},   // no cell is a parallelepiped
+                                               MultigridCase{2, 3, 2, 0.5, 1e8, false, true, 60},  //
+                                               MultigridCase{3, 4, 1, 0.5, 1e7, true, true, 60}));
 
     TEST(PMultigridSolver, GivesTheSameWithEitherFormOfTheOperator)
     {
