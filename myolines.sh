@@ -9,6 +9,9 @@ debug=$root/build/debug
 packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundials-dev libopenmpi-dev openmpi-bin
           libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev zlib1g-dev numdiff
           gnuplot-nox python3)
+if [ "$(sed -n 's/^VERSION_ID="\([0-9]*\)"$/\1/p' /etc/os-release)" = 13 ]; then
+  packages+=(mold) # the linker that deal.II asks for there; without it, a slower one links
+fi
 
 # MPI starts as root and with more ranks than cores (containers); one thread per rank, or the ranks fight for cores.
 # Open MPI 5 reads another name than 4 for the latter.

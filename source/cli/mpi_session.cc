@@ -1,5 +1,6 @@
 #include <myolines/cli/mpi_session.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
@@ -38,7 +39,9 @@ namespace myolines
     if (!is_rank_of_a_job())
       for (const auto &[variable, value] : alone)
         setenv(variable, value, /*overwrite*/ 0);
-    mpi_ = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc_, argv_, 1);
+    // Of the arguments only the name: PETSc, which deal.II starts, takes the others for options of its own that nobody used.
+    int argc = std::min(argc_, 1);
+    mpi_     = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv_, 1);
     if (openblas_set_num_threads != nullptr)
       openblas_set_num_threads(1);
   }
