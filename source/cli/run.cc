@@ -46,7 +46,7 @@ namespace myolines
     }
 
     void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally, Outputs &outputs,
-                          const std::function<void()> &files_are_known)
+                          const std::function<void()> &files_are_known, const StopSignals &signals)
     {
       outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
       outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
@@ -55,7 +55,6 @@ namespace myolines
       std::vector<Observer *> observers{&tally};
       for (const auto &output : outputs)
         observers.push_back(output.get());
-      const StopSignals  signals;
       const std::clock_t begin = std::clock();
       experiment.run(observers, folder.path, [&] { return signals.noted(); });
       experiment.ledger().add_seconds("CPU of the run", static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
@@ -156,6 +155,7 @@ namespace myolines
 
   void run_command(const RunOptions &options, std::ostream &out)
   {
+    const StopSignals           signals; // one that comes before the first step ends the run there, with a state to go on from
     RunRecord                   record{options.command_line, "", iso8601_now(), "", {}, {}};
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
@@ -211,8 +211,8 @@ namespace myolines
         for (const std::string &line : energy_lines(*record.energy, experiment.method().name))
           out << line << "\n";
     };
-    const std::string running = "running"; // what a killed run leaves
-    book(running);
+    const auto book_running = [&] { book("running"); }; // what a killed run leaves
+    book_running();
     if (!options.quiet)
       {
         for (const std::string &warning : experiment.warnings())
@@ -223,7 +223,7 @@ namespace myolines
     Tally tally;
     try
       {
-        run_with_outputs(experiment, outputs, options.quiet, tally, observers, [&] { book(running); });
+        run_with_outputs(experiment, outputs, options.quiet, tally, observers, book_running, signals);
       }
     catch (const SolveError &error)
       {

@@ -112,13 +112,16 @@ TEST(SystemRefuses, AHangUpIsASignalToStopUnlessItIsIgnored)
   const Faulty      folder;
   const std::string run =
       " '" + myolines::test::program_file() + "' run swing.xml --quiet --set time/step=2e-5 --set output/checkpoint/seconds=600 --out ";
-  const auto hang_up = [&](const std::string &how, const std::string &out) {
+  const auto hang_up = [&](const std::string &how, const std::string &out, const std::string &file = "steps.csv") {
     return std::system(("cd '" + folder.path().string() + "'; " + how + run + out + " > o.txt 2> e.txt & p=$!; while [ ! -s '" +
-                        (folder / out).string() + "/steps.csv' ]; do sleep 0.02; done; sleep 0.1; kill -HUP $p; wait $p")
+                        (folder / out / file).string() + "' ]; do sleep 0.02; done; kill -HUP $p; wait $p")
                            .c_str());
   };
   EXPECT_EQ(WEXITSTATUS(hang_up("", "stopped")), 3);
   EXPECT_TRUE(has(folder.text("stopped/manifest.json"), "asked to stop by the signal"));
+  EXPECT_EQ(WEXITSTATUS(hang_up("", "early", "run.lock")), 3) << "before the first step";
+  EXPECT_TRUE(has(folder.text("early/manifest.json"), "asked to stop by the signal"));
+  EXPECT_TRUE(folder.is_there("early/checkpoint"));
   EXPECT_EQ(WEXITSTATUS(hang_up("nohup", "ignored")), 0);
 }
 
