@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -156,6 +157,113 @@ namespace myolines
       mesh.further_groups = std::move(groups);
     }
 
+    Position minus(const Position &a, const Position &b) { return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}}; }
+    double   dot(const Position &a, const Position &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+    double   distance(const Position &a, const Position &b) { return std::sqrt(dot(minus(a, b), minus(a, b))); }
+    Position cross(const Position &a, const Position &b)
+    {
+      return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+    }
+
+    /// Whether @p x is nearer than @p tolerance to a triangle: to its plane, and not outside of an edge.
+    bool lies_on(const std::array<Position, 3> &corner, const Position &x, const double tolerance)
+    {
+      const Position normal = cross(minus(corner[1], corner[0]), minus(corner[2], corner[0]));
+      const double   size   = std::sqrt(dot(normal, normal));
+      if (!(size > 0) || std::abs(dot(minus(x, corner[0]), normal)) > tolerance * size)
+        return false;
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          const Position edge = minus(corner[(i + 1) % 3], corner[i]);
+          if (dot(cross(edge, minus(x, corner[i])), normal) < -tolerance * size * std::sqrt(dot(edge, edge)))
+            return false;
+        }
+      return true;
+    }
+
+    /// Whether @p x lies on one of the triangles between the edges of a face and its middle, and is no corner of it.
+    bool lies_on(const PlainMesh &mesh, const Element &face, const Position &x, const double tolerance)
+    {
+      const unsigned int n = n_corners(face.shape);
+      Position           middle{{0, 0, 0}};
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int c = 0; c < 3; ++c)
+          middle[c] += mesh.points[face.corner[i]][c] / n;
+      for (unsigned int i = 0; i < n; ++i)
+        if (lies_on({{mesh.points[face.corner[i]], mesh.points[face.corner[(i + 1) % n]], middle}}, x, tolerance))
+          return true;
+      return false;
+    }
+
+    /// Corners of the faces of the boundary, in cubes as large as such a face.
+    class BoundaryPoints
+    {
+    public:
+      BoundaryPoints(const PlainMesh &mesh, const std::vector<Element> &outer, const Position &origin)
+        : mesh_(mesh)
+        , origin_(origin)
+      {
+        std::vector<bool> is_corner(mesh.points.size(), false);
+        for (const Element &face : outer)
+          {
+            width_ += distance(mesh.points[face.corner[0]], mesh.points[face.corner[2]]) / static_cast<double>(outer.size());
+            for (unsigned int i = 0; i < n_corners(face.shape); ++i)
+              is_corner[face.corner[i]] = true;
+          }
+        if (!(width_ > 0))
+          width_ = 1;
+        for (unsigned int point = 0; point < is_corner.size(); ++point)
+          if (is_corner[point])
+            cubes_[cube_of(mesh.points[point], 0)].push_back(point);
+      }
+
+      /// Those in cubes that the box around @p face touches, but for its own corners.
+      std::vector<unsigned int> near(const Element &face, const double tolerance) const
+      {
+        const unsigned int *const begin = face.corner.data(), *const end = begin + n_corners(face.shape);
+        Position low = mesh_.points[*begin], high = low;
+        for (const unsigned int *corner = begin; corner < end; ++corner)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              low[c]  = std::min(low[c], mesh_.points[*corner][c]);
+              high[c] = std::max(high[c], mesh_.points[*corner][c]);
+            }
+        const Cube                first = cube_of(low, -tolerance), last = cube_of(high, tolerance);
+        std::vector<unsigned int> found;
+        const auto                take = [&](const std::vector<unsigned int> &points) {
+          std::copy_if(points.begin(), points.end(), std::back_inserter(found),
+                                      [&](const unsigned int point) { return std::find(begin, end, point) == end; });
+        };
+        const double n_cubes = (last[0] - first[0] + 1.) * (last[1] - first[1] + 1.) * (last[2] - first[2] + 1.);
+        if (n_cubes > static_cast<double>(cubes_.size())) // a face among much smaller ones
+          for (const auto &[cube, points] : cubes_)
+            take(points);
+        else
+          for (long i = first[0]; i <= last[0]; ++i)
+            for (long j = first[1]; j <= last[1]; ++j)
+              for (long k = first[2]; k <= last[2]; ++k)
+                if (const auto cube = cubes_.find({{i, j, k}}); cube != cubes_.end())
+                  take(cube->second);
+        return found;
+      }
+
+    private:
+      using Cube = std::array<long, 3>;
+
+      Cube cube_of(const Position &x, const double more) const
+      {
+        Cube cube;
+        for (unsigned int c = 0; c < 3; ++c)
+          cube[c] = static_cast<long>(std::floor((x[c] + more - origin_[c]) / width_));
+        return cube;
+      }
+
+      const PlainMesh                          &mesh_;
+      Position                                  origin_;
+      double                                    width_ = 0;
+      std::map<Cube, std::vector<unsigned int>> cubes_;
+    };
+
     /// The mirror image of the numbering.
     void turn(Element &cell)
     {
@@ -232,25 +340,15 @@ namespace myolines
 
   std::vector<Position> hanging_points(const PlainMesh &mesh)
   {
-    Places places(mesh);
-    for (unsigned int i = 0; i < mesh.points.size(); ++i)
-      places.add(i);
+    const std::vector<Element> outer = outer_faces(mesh);
+    const auto [low, high]           = box_around(mesh);
+    const double          tolerance  = 1e-6 * distance(low, high);
+    const BoundaryPoints  points(mesh, outer, low);
     std::vector<Position> hanging;
-    const auto            look_at = [&](const std::vector<unsigned int> &corners) {
-      Position middle{{0, 0, 0}};
-      for (const unsigned int corner : corners)
-        for (unsigned int c = 0; c < 3; ++c)
-          middle[c] += mesh.points[corner][c] / static_cast<double>(corners.size());
-      if (places.find(middle))
-        hanging.push_back(middle);
-    };
-    for (const Element &face : outer_faces(mesh))
-      {
-        const unsigned int n = n_corners(face.shape);
-        for (unsigned int i = 0; i < n; ++i)
-          look_at({face.corner[i], face.corner[(i + 1) % n]});
-        look_at({face.corner.begin(), face.corner.begin() + n});
-      }
+    for (const Element &face : outer)
+      for (const unsigned int point : points.near(face, tolerance))
+        if (lies_on(mesh, face, mesh.points[point], tolerance))
+          hanging.push_back(mesh.points[point]);
     return hanging;
   }
 } // namespace myolines

@@ -154,11 +154,26 @@ namespace myolines
 
     TEST(Tidy, HangingPointsAreFound)
     {
-      PlainMesh mesh = mixed(false);
-      mesh.points.push_back({{1, 0.5, 0}});
-      mesh.cells.resize(1);
-      ASSERT_FALSE(hanging_points(mesh).empty());
-      EXPECT_EQ(hanging_points(mesh).front(), (PlainMesh::Position{{1, 0.5, 0}}));
+      for (const double height : {0.5, 0.3, 1.}) // of the lower of two cells beside the cube; 1: there is one, which fits
+        {
+          PlainMesh mesh = mixed(false);
+          mesh.cells.resize(1);
+          const auto add = [&mesh](const double low, const double high) {
+            for (const double z : {low, high})
+              for (const auto &[x, y] : {std::pair(1., 0.), std::pair(2., 0.), std::pair(2., 1.), std::pair(1., 1.)})
+                mesh.points.push_back({{x, y, z}});
+            const unsigned int n = static_cast<unsigned int>(mesh.points.size());
+            mesh.cells.push_back({Shape::hexahedron, 1, {{n - 8, n - 7, n - 6, n - 5, n - 4, n - 3, n - 2, n - 1}}});
+          };
+          add(0, height);
+          if (height < 1)
+            add(height, 1);
+          tidy(mesh);
+          const auto hanging = hanging_points(mesh);
+          EXPECT_EQ(hanging.empty(), height == 1) << height;
+          for (const auto &x : hanging)
+            EXPECT_EQ(x[2], height);
+        }
     }
   } // namespace
 } // namespace myolines

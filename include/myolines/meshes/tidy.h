@@ -25,6 +25,6 @@ namespace myolines
   /// A cell of each part of the mesh that has no point in common with the others.
   std::vector<std::size_t> parts_of(const PlainMesh &mesh);
 
-  /// Points in the middle of an edge, of a diagonal or of a face of the boundary: cells of different size meet there.
+  /// Points that lie on a face of the boundary and are no corner of it: cells meet there that do not fit each other.
   std::vector<PlainMesh::Position> hanging_points(const PlainMesh &mesh);
 } // namespace myolines
