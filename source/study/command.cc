@@ -127,9 +127,12 @@ namespace myolines::study
         {
           out << "  " << cost.method << ": " << std::setprecision(3);
           if (cost.work.value)
-            out << *cost.work.value << " (" << *cost.ratio.value << " times the least)\n";
-          else
-            out << cost.work.note << "\n";
+            out << *cost.work.value;
+          else if (cost.at_most.value)
+            out << "at most " << *cost.at_most.value << ", ";
+          if (cost.ratio.value)
+            out << " (" << *cost.ratio.value << " times the least)";
+          out << cost.work.note << "\n";
         }
     }
 

@@ -92,24 +92,31 @@ namespace myolines::study
           entry = entry->first.parent_path() == of_reference ? std::next(entry) : tables_.erase(entry);
       }
 
-      std::optional<Series> series(const std::filesystem::path &file, const std::string &column, std::string &note)
+      std::optional<Series> series(const std::filesystem::path &file, const Quantity &quantity, std::string &note)
       {
         const std::optional<CsvTable> &csv = table(file);
         if (!csv)
           note = std::filesystem::exists(file)
                      ? file.filename().string() + " is no whole table"
                      : file.filename().string() + " is not there" + nearest_among(file.filename().string(), files_beside(file));
-        else if (!csv->column(column))
-          note = file.filename().string() + " has no column \"" + column + "\"" + nearest_among(column, csv->header);
         else
-          return series_of(*csv, column);
+          {
+            for (const auto &[name, header] : quantity.columns)
+              if (!csv->column(header))
+                {
+                  note = file.filename().string() + " has no column \"" + header + "\"" + nearest_among(header, csv->header);
+                  return std::nullopt;
+                }
+            return quantity.formula.empty() ? series_of(*csv, quantity.column)
+                                            : series_of_formula(*csv, quantity.formula, quantity.columns);
+          }
         return std::nullopt;
       }
 
       Measured column(const Quantity &quantity, const Case &which)
       {
         std::string                 note;
-        const std::optional<Series> whole = series(case_folder(folder_, which.name) / quantity.file, quantity.column, note);
+        const std::optional<Series> whole = series(case_folder(folder_, which.name) / quantity.file, quantity, note);
         if (!whole)
           return {{}, note};
         const Series         part = window(*whole, quantity.from, quantity.until);
@@ -138,7 +145,7 @@ namespace myolines::study
           }
         const std::filesystem::path file =
             quantity.reference_file ? *quantity.reference_file : case_folder(folder_, which.reference) / quantity.file;
-        const std::optional<Series> reference = series(file, quantity.column, note);
+        const std::optional<Series> reference = series(file, quantity, note);
         if (!reference)
           return std::nullopt;
         const std::optional<std::vector<double>> values = reference_at(*reference, t);
@@ -247,6 +254,7 @@ namespace myolines::study
         Quantity quantity;
         quantity.file    = view.file;
         quantity.column  = view.column;
+        quantity.columns = {{view.column, view.column}};
         quantity.measure = measure;
         return evaluation.value(quantity, which);
       };

@@ -20,19 +20,34 @@ namespace myolines::study
       return schema;
     }
 
-    Schema column_schema()
+    /// What is made of a time series.
+    Schema measured(Schema schema)
     {
-      Schema schema("From a column of a time series.");
       schema.text("file", std::nullopt, "CSV file of the case's folder, \"reaction.csv\"; its first column is the time.")
-          .text("column", std::nullopt, "Header of the column, with its unit.")
           .choice("measure", std::nullopt, measure_names(), "What is made of the column; doc/studies.md has the formulas.")
           .boolean("relative", false, "Errors are divided by the largest absolute value of the reference.")
           .number("fraction", 0.05, "-", {0, 1, true, true}, "Of the largest deviation, below which the decay time finds it decayed.")
           .optional_number("from", "s", Range::any(), "Rows before are left out.")
           .optional_number("until", "s", Range::any(), "Rows after are left out.")
           .optional_file("reference file", "CSV file with the time in its first column and the column, instead of a reference run.")
-          .optional_text("reference formula", "Closed form of the column in t [s], \"cos(t)\", instead of a reference run.");
+          .optional_text("reference formula", "Closed form in t [s], \"cos(t)\", instead of a reference run.");
       return schema;
+    }
+
+    Schema column_schema()
+    {
+      Schema schema("From a column of a time series.");
+      schema.text("column", std::nullopt, "Header of the column, with its unit.");
+      return measured(schema);
+    }
+
+    Schema formula_schema()
+    {
+      Schema schema("From a formula of columns of a time series.");
+      schema.text("formula", std::nullopt, "Formula in names of columns and t [s], \"total - passive\".")
+          .text("columns", std::nullopt, "These names and the headers they stand for, \"total = Force [N] | passive = Passive force [N]\".")
+          .text("unit", "", "Unit of the formula, \"N\".");
+      return measured(schema);
     }
 
     Schema quantity_schema()
@@ -47,7 +62,12 @@ namespace myolines::study
       seconds.text("name", std::nullopt, "As the ledger calls it, \"residual\".");
       return Schema("A number that every case is asked for.")
           .variant("type", "column",
-                   {{"column", column_schema()}, {"state", state}, {"field", field}, {"count", count}, {"seconds", seconds}},
+                   {{"column", column_schema()},
+                    {"formula", formula_schema()},
+                    {"state", state},
+                    {"field", field},
+                    {"count", count},
+                    {"seconds", seconds}},
                    "Where it comes from.");
     }
 
@@ -68,6 +88,7 @@ namespace myolines::study
     {
       Schema sweep("Quantities over parameters.");
       sweep.text("curves", "", "Axis whose points are curves of the pictures.")
+          .text("together", "", "Quantities that share a picture, \"total | active | passive\".")
           .text("abscissa", "", "Axis along which the curves go; the first with numbers if empty.");
       Schema work_precision("What an error costs: one curve for each method.");
       work_precision

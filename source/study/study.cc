@@ -105,22 +105,55 @@ namespace myolines::study
     }
 
     /// A file that lacks the column is told before the first run, not after the last.
-    std::filesystem::path checked_reference_file(const Node &node, const std::string &column)
+    std::filesystem::path checked_reference_file(const Node &node, const Quantity &quantity)
     {
       const std::filesystem::path   file  = node.file("reference file");
       const std::optional<CsvTable> table = read_csv(file);
       if (!table)
         node.refuse("reference file", file.string() + " is no table",
                     "comma-separated values, the names of the columns in the first line, every line ended");
-      require(node, "column", column, table->header, "column in the reference file");
+      for (const auto &[name, column] : quantity.columns)
+        require(node, quantity.formula.empty() ? "column" : "columns", column, table->header, "column in the reference file");
       return file;
+    }
+
+    /// Formula, names and headers; a table of one row shows whether the formula can be evaluated.
+    void read_formula(const Node &node, Quantity &quantity)
+    {
+      CsvTable table{"", {"Time [s]"}, {{"0"}}, {}};
+      for (const std::string &part : split(node.text("columns")))
+        {
+          const auto        equals = part.find('=');
+          const std::string name   = scene::trimmed(part.substr(0, equals));
+          if (equals == std::string::npos || name == "t" || !quantity.columns.emplace(name, scene::trimmed(part.substr(equals + 1))).second)
+            node.refuse("columns", "\"" + part + "\" names no column", "NAME = HEADER, each name once and none of them t",
+                        "\"total = Force [N] | passive = Passive force [N]\"");
+          table.header.push_back(quantity.columns.at(name));
+          table.rows.front().push_back("0");
+        }
+      quantity.formula = node.text("formula");
+      quantity.unit    = node.text("unit");
+      try
+        {
+          series_of_formula(table, quantity.formula, quantity.columns);
+        }
+      catch (const std::invalid_argument &error)
+        {
+          node.refuse("formula", error.what(), "a formula in the names of \"columns\" and t", "\"total - passive\"");
+        }
     }
 
     Quantity read_column(const Node &node, Quantity quantity)
     {
-      quantity.source   = Quantity::Source::column;
-      quantity.file     = node.text("file");
-      quantity.column   = node.text("column");
+      quantity.source = Quantity::Source::column;
+      quantity.file   = node.text("file");
+      if (node.text("type") == "formula")
+        read_formula(node, quantity);
+      else
+        {
+          quantity.column  = node.text("column");
+          quantity.columns = {{quantity.column, quantity.column}};
+        }
       quantity.measure  = node.text("measure");
       quantity.relative = node.boolean("relative");
       quantity.fraction = node.number("fraction");
@@ -129,7 +162,7 @@ namespace myolines::study
       if (node.has("until"))
         quantity.until = node.number("until");
       if (node.has("reference file"))
-        quantity.reference_file = checked_reference_file(node, quantity.column);
+        quantity.reference_file = checked_reference_file(node, quantity);
       if (node.has("reference formula"))
         quantity.reference_formula = checked_formula(node, "reference formula");
       if (quantity.reference_file && quantity.reference_formula)
@@ -147,7 +180,7 @@ namespace myolines::study
       Quantity quantity;
       quantity.name          = node.name();
       const std::string type = node.text("type");
-      if (type == "column")
+      if (type == "column" || type == "formula")
         quantity = read_column(node, quantity);
       else
         {
@@ -160,6 +193,29 @@ namespace myolines::study
       if (quantity.is_error() && !has_reference && !quantity.reference_file && !quantity.reference_formula)
         node.refuse("", "there is nothing to compare with", "a list \"reference\" in the study, or a reference file or formula here");
       return quantity;
+    }
+
+    /// Of every grid, and of every curve: points of one curve are neighbours along it.
+    void require_one_accuracy_axis(const Node &node, const Study &study, const std::string &curves)
+    {
+      std::map<std::string, std::string> of_curve; // label -> axis
+      for (const Grid &grid : study.grids)
+        {
+          std::vector<std::string> beside;
+          for (const Axis &axis : grid.axes)
+            if (axis.name != curves && axis.zipped_with.empty())
+              beside.push_back(axis.name);
+          if (beside.size() > 1)
+            node.refuse("curves", "grid \"" + grid.name + "\" has " + std::to_string(beside.size()) + " axes beside it: " + join(beside),
+                        "one along which methods become more accurate, and others only if they are zipped with it");
+          for (const Axis &axis : grid.axes)
+            if (axis.name == curves && !beside.empty())
+              for (const AxisPoint &point : axis.points)
+                if (const auto &first = of_curve.emplace(point.label, beside.front()).first->second; first != beside.front())
+                  node.refuse("curves",
+                              "\"" + point.label + "\" becomes more accurate along \"" + first + "\" and \"" + beside.front() + "\"",
+                              "one axis for each of its points", "another name in the other grid, \"" + point.label + " by error\"");
+        }
     }
 
     View read_view(const Node &node, const Study &study)
@@ -180,6 +236,9 @@ namespace myolines::study
         {
           view.curves   = an_axis("curves");
           view.abscissa = an_axis("abscissa");
+          view.together = split(node.text("together"));
+          for (const std::string &name : view.together)
+            require(node, "together", name, quantities, "quantity");
         }
       else if (kind == "work-precision")
         {
@@ -192,10 +251,7 @@ namespace myolines::study
           require(node, "work", view.work, quantities, "quantity");
           if (node.has("target"))
             view.target = node.number("target");
-          for (const std::string &axis : axes)
-            if (axis != view.curves && study.axes_along(axis).size() + 1 < axes.size())
-              node.refuse("curves", "there are " + std::to_string(axes.size() - 1) + " axes beside it",
-                          "one along which methods become more accurate, and others only if they are zipped with it");
+          require_one_accuracy_axis(node, study, view.curves);
         }
       else if (kind == "convergence")
         {

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 namespace myolines::study
 {
@@ -152,6 +153,27 @@ namespace myolines::study
       return "";
     }
 
+    bool is_among(const std::string &name, const std::vector<std::string> &names)
+    {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    }
+
+    /// The quantities that share a picture over @p axis: the curves of each have its name.
+    Picture shared_diagram(const Study &study, const PointTable &table, const std::string &axis)
+    {
+      Picture               shared = titled(study, join(study.view.together) + " over " + axis, table.axis_header(axis), "");
+      std::set<std::string> units;
+      for (const Quantity &quantity : study.quantities)
+        if (is_among(quantity.name, study.view.together))
+          {
+            units.insert(unit_in(header_of(quantity)));
+            for (Curve &curve : diagram(study, table, quantity.name, table.axis_header(axis), header_of(quantity), {axis}).curves)
+              shared.curves.push_back({quantity.name + (curve.title.empty() ? "" : ", " + curve.title), std::move(curve.points)});
+          }
+      shared.y_label = units.size() == 1 && !units.begin()->empty() ? "[" + *units.begin() + "]" : "";
+      return shared;
+    }
+
     std::vector<Picture> sweep_pictures(const Study &study, const PointTable &table)
     {
       const std::string    axis = study.view.abscissa.empty() ? first_with_numbers(study) : study.view.abscissa;
@@ -162,7 +184,10 @@ namespace myolines::study
         throw InputError(InputProblem{"study", "no axis has numbers, there is nothing to draw along",
                                       "an axis of numbers, or a list \"pictures\" of time series", ""});
       for (const Quantity &quantity : study.quantities)
-        pictures.push_back(diagram(study, table, quantity.name + " over " + axis, table.axis_header(axis), header_of(quantity), {axis}));
+        if (!is_among(quantity.name, study.view.together))
+          pictures.push_back(diagram(study, table, quantity.name + " over " + axis, table.axis_header(axis), header_of(quantity), {axis}));
+      if (!study.view.together.empty())
+        pictures.push_back(shared_diagram(study, table, axis));
       return pictures;
     }
 

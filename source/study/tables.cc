@@ -159,6 +159,19 @@ namespace myolines::study
         }
       return least;
     }
+    /// The least work of @p points if all of them are more accurate than @p target.
+    Measured work_at_most(const std::vector<CurvePoint> &points, const double target)
+    {
+      Measured least;
+      for (const CurvePoint &point : points)
+        {
+          if (!(point.error < target))
+            return {};
+          if (!least.value || point.work < *least.value)
+            least.value = point.work;
+        }
+      return least;
+    }
   } // namespace
 
   std::string unit_in(const std::string &header)
@@ -174,7 +187,7 @@ namespace myolines::study
     if (quantity.source == Quantity::Source::seconds || quantity.measure == "decay time")
       unit = "s";
     else if (quantity.source == Quantity::Source::column && !pure)
-      unit = unit_in(quantity.column);
+      unit = quantity.formula.empty() ? unit_in(quantity.column) : quantity.unit;
     return quantity.name + (unit.empty() ? "" : " [" + unit + "]");
   }
 
@@ -224,14 +237,23 @@ namespace myolines::study
         }
     std::vector<EqualError> costs;
     std::optional<double>   least;
+    bool                    is_bound = false;
     for (const std::string &method : methods)
       {
-        costs.push_back({method, work_at(curves[method], view.target.value()), {}});
-        if (const auto &w = costs.back().work.value; w && (!least || *w < *least))
-          least = w;
+        costs.push_back({method, work_at(curves[method], view.target.value()), {}, {}});
+        if (!costs.back().work.value)
+          costs.back().at_most = work_at_most(curves[method], view.target.value());
+        if (costs.back().at_most.value)
+          costs.back().work.note = "all its points are more accurate";
+        for (const auto &w : {costs.back().work.value, costs.back().at_most.value})
+          if (w && (!least || *w < *least))
+            {
+              least    = w;
+              is_bound = !costs.back().work.value;
+            }
       }
     for (EqualError &cost : costs)
-      if (cost.work.value)
+      if (cost.work.value && !is_bound)
         cost.ratio.value = *cost.work.value / *least;
     return costs;
   }
@@ -242,9 +264,10 @@ namespace myolines::study
     write_seconds_csv(study, rows, folder);
     if (study.view.target)
       {
-        CsvFile file(OutputFolder(folder), "equal_error.csv", {study.view.curves, study.view.work, "over the cheapest", "notes"});
+        CsvFile file(OutputFolder(folder), "equal_error.csv",
+                     {study.view.curves, study.view.work, "at most", "over the cheapest", "notes"});
         for (const EqualError &cost : equal_error(study, rows))
-          file.row({cost.method, cell(cost.work), cell(cost.ratio), cost.work.note});
+          file.row({cost.method, cell(cost.work), cell(cost.at_most), cell(cost.ratio), cost.work.note});
       }
     database.replace_results(results_of(study, rows));
   }

@@ -106,7 +106,8 @@ def print_cases(rows, given):
 
 
 def print_equal_error(given, results):
-    """What each of the works costs, methods in the order of the study; "-" where no two neighbouring runs of a method enclose the target."""
+    """What each of the works costs, methods in the order of the study; "-" where no two neighbouring runs of a method enclose the target,
+    a bound where all are more accurate."""
     costs = {}
     for work in given.equal_error:
         rows = run_study(given.program, given.study, results, "--set", f"work={work}")[1]
@@ -116,7 +117,10 @@ def print_equal_error(given, results):
     lines = []
     for method in next(iter(costs.values())):
         rows = [(work, costs[work][method]) for work in costs]
-        lines.append([method] + [(f"{float(row[work]):.2f}" if work.startswith("CPU") else f"{float(row[work]):.1f}") if row[work] else "-" for work, row in rows])
+        lines.append([method])
+        for work, row in rows:
+            number, bound = (row[work], "") if row[work] else (row["at most"], "<= ")
+            lines[-1].append(bound + f"{float(number):.{2 if work.startswith('CPU') else 1}f}" if number else "-")
     print_table(["method"] + [work + (" [s]" if work.startswith("CPU") else "") for work in costs], lines)
 
 

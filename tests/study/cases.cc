@@ -128,6 +128,21 @@ TEST(Cases, WrongStudiesAreRefusedWithTheNameMeant)
                           section("quantities", error_against_cosine()))
                 .find("2 axes beside it"),
             std::string::npos);
+  const std::string precise = parameter("kind", "work-precision") + parameter("curves", "method") + parameter("precision", "error in u") +
+                              section("quantities", error_against_cosine());
+  EXPECT_NE(complaint(grid("a", method_axis + step_axis) + grid("b", method_axis + listed("mass", "system/mass", "1 | 3")), precise)
+                .find("along \"step\" and \"mass\""),
+            std::string::npos);
+  const auto of_formula = [&](const std::string &formula, const std::string &columns) {
+    return complaint(
+        grid("a", step_axis),
+        section("quantities", section("sum", parameter("type", "formula") + parameter("file", "f.csv") + parameter("measure", "final") +
+                                                 parameter("formula", formula) + parameter("columns", columns))));
+  };
+  EXPECT_EQ(of_formula("x - 2*y + t", "x = x [N] | y = y [N]"), "");
+  EXPECT_NE(of_formula("x - z", "x = x [N] | y = y [N]").find("z"), std::string::npos);
+  EXPECT_NE(of_formula("x", "x [N]").find("NAME = HEADER"), std::string::npos);
+  EXPECT_NE(of_formula("x", "x = a | x = b").find("names no column"), std::string::npos);
   EXPECT_NE(complaint("", "").find("no grid"), std::string::npos);
   EXPECT_NE(complaint(grid("a", step_axis), parameter("kid", "sweep")).find("\"kind\""), std::string::npos);
 }

@@ -33,6 +33,17 @@ namespace
   }
 } // namespace
 
+TEST(Measures, FormulasOfColumnsGoRowByRow)
+{
+  const CsvTable table{"f.csv", {"Time [s]", "all [N]", "passive [N]"}, {{"0", "3", "1"}, {"0.5", "8", "2"}, {"1", "", "2"}}, {}};
+  const Series   active = series_of_formula(table, "total - passive + 10*t", {{"total", "all [N]"}, {"passive", "passive [N]"}});
+  EXPECT_EQ(active.t, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(active.x[0], 2);
+  EXPECT_EQ(active.x[1], 11);
+  EXPECT_TRUE(std::isnan(active.x[2])); // an empty cell is no number
+  EXPECT_THROW(series_of_formula(table, "total -", {{"total", "all [N]"}}), std::invalid_argument);
+}
+
 TEST(Measures, OfASineAreItsClosedForms)
 {
   const Series sine = sampled([](const double t) { return 3 * std::sin(2 * pi * t); }, 1, 1000);

@@ -113,6 +113,30 @@ TEST(Pictures, SweepsHaveACurveForEachMethod)
   EXPECT_EQ(pictures[0].curves[0].points, (std::vector<std::pair<double, double>>{{0.05, 2}, {0.1, 4}}));
 }
 
+/// Quantities that share a picture: a curve for each of them and each method, the others on their own.
+TEST(Pictures, SweepsMayHaveSeveralQuantities)
+{
+  const StudyFolder folder;
+  const std::string axes = groups("method", {{"be", "integrator/type=backward euler"}, {"nm", "integrator/type=newmark"}}) +
+                           listed("step", "time/step", "0.1 | 0.05");
+  const auto final_of = [](const std::string &name, const std::string &header) {
+    return section(name, parameter("file", "trajectory.csv") + parameter("column", header) + parameter("measure", "final"));
+  };
+  const std::string quantities = final_of("u", "u [m]") + final_of("v", "v [m/s]") + final_of("w", "w [m]");
+  std::filesystem::copy(folder.write_study(grid("all", axes), parameter("together", "w | u") + section("quantities", quantities)),
+                        folder / "study.resolved.xml");
+  folder.write("study.csv", "case,role,method,step,status,reason,u [m],v [m/s],w [m],notes\n"
+                            "a,case,be,0.1,done,,4,5,6,\nb,case,nm,0.1,done,,1,2,3,\n");
+  folder.write("seconds.csv", "case,CPU [s],wall clock [s]\na,1,1\nb,1,1\n");
+  const auto pictures = pictures_of_study(folder.path());
+  ASSERT_EQ(pictures.size(), 2u);
+  EXPECT_EQ(pictures[0].y_label, "v [m/s]");
+  EXPECT_EQ(pictures[1].y_label, "[m]");
+  ASSERT_EQ(pictures[1].curves.size(), 4u);
+  EXPECT_EQ(pictures[1].curves[3].title, "w, nm");
+  EXPECT_EQ(pictures[1].curves[3].points, (std::vector<std::pair<double, double>>{{0.1, 3}}));
+}
+
 TEST(Pictures, TimeSeriesHaveAPanelForEachColumnAndACurveForEachCase)
 {
   const StudyFolder folder;

@@ -88,6 +88,32 @@ TEST(Results, EqualErrorInterpolatesInLogarithms)
   EXPECT_NEAR(costs[0].ratio.value.value(), 10, 1e-10);
   const auto short_of = equal_error(study, rows_with(cases, {{1, 30}, {0.5, 70}, {0.2, 300}, {1. / 16, 4}, {1. / 49, 7}, {1. / 400, 20}}));
   EXPECT_FALSE(short_of[0].work.value.has_value()); // never extrapolated
+  EXPECT_FALSE(short_of[0].at_most.value.has_value());
+
+  const auto best = equal_error(study, rows_with(cases, {{1. / 30, 30}, {1. / 70, 70}, {1. / 300, 300}, {1e-3, 4}, {1e-4, 7}, {1e-5, 20}}));
+  EXPECT_FALSE(best[1].work.value.has_value());
+  EXPECT_EQ(best[1].at_most.value.value(), 4);
+  EXPECT_FALSE(best[0].at_most.value.has_value());
+  EXPECT_NEAR(best[0].work.value.value(), 100, 1e-10);
+  EXPECT_FALSE(best[0].ratio.value.has_value()); // the cheapest costs 4 or less
+}
+
+/// One method takes steps, the other tolerances: each is interpolated along its own axis.
+TEST(Results, EqualErrorAlongTwoAxes)
+{
+  const StudyFolder folder;
+  const auto        method = [](const std::string &name) { return groups("method", {{name, "integrator/type=newmark"}}); };
+  const Study       study  = folder.study(
+             grid("steps", method("fixed") + listed("step", "time/step", "0.1 | 0.05")) +
+                 grid("tolerances", method("by error") + listed("tolerance", "time/control/displacement/relative tolerance", "1e-3 | 1e-4")),
+             parameter("kind", "work-precision") + parameter("curves", "method") + parameter("precision", "error in u") +
+                 parameter("work", "solves") + parameter("target", "1e-2", "double") + error);
+  const auto cases = expand(study);
+  const auto costs = equal_error(study, rows_with(cases, {{1. / 30, 30}, {1. / 300, 300}, {1. / 5, 5}, {1. / 500, 500}}));
+  ASSERT_EQ(costs.size(), 2u);
+  EXPECT_EQ(costs[1].method, "by error");
+  EXPECT_NEAR(costs[0].work.value.value(), 100, 1e-10);
+  EXPECT_NEAR(costs[1].work.value.value(), 100, 1e-10);
 }
 
 TEST(Results, ClassesFollowTheRules)

@@ -44,9 +44,11 @@ namespace myolines::study
   {
     std::string method;
     Measured    work;
-    Measured    ratio; ///< over the cheapest
+    Measured    at_most; ///< a bound in its place, where all points of the method are more accurate than asked for
+    Measured    ratio;   ///< over the cheapest; none where that is a bound
   };
-  /// Least work of each curve at the target, on straight lines in logarithms between points that are neighbours along the other axis.
+  /// Least work of each curve at the target, on straight lines in logarithms between points that are neighbours along the other axis;
+  /// where all points are more accurate, the least of theirs as a bound.
   std::vector<EqualError> equal_error(const Study &study, const std::vector<Row> &rows);
 
   /// "N" of a column "force [N]"; "" if there is none.

@@ -55,6 +55,9 @@ namespace myolines::study
     std::string                          name;
     Source                               source = Source::column;
     std::string                          file, column, measure;
+    std::string                          formula; ///< instead of the column, in the names of @p columns and t; "" for none
+    std::map<std::string, std::string>   columns; ///< name in the formula -> header
+    std::string                          unit;    ///< of the formula
     bool                                 relative = false;
     double                               fraction = 0; ///< of the decay time
     std::optional<double>                from, until;  ///< only rows within [s]
@@ -89,16 +92,17 @@ namespace myolines::study
   /// What the table and the pictures of the study's kind need; names of axes and quantities.
   struct View
   {
-    Kind                  kind = Kind::sweep;
-    std::string           curves;        ///< axis: one curve for each of its points; "" for none
-    std::string           abscissa;      ///< axis; of a convergence the sizes of steps; "" for the first with numbers
-    std::string           ordinate;      ///< axis of a stability map
-    std::string           precision;     ///< quantity
-    std::string           work;          ///< quantity, or "CPU seconds"
-    std::optional<double> target;        ///< of the precision, at which methods are compared
-    std::string           file, column;  ///< the signal whose class is told
-    double                overshoot = 0; ///< limit of the overshoot
-    double                variation = 0; ///< limit of the relative variation
+    Kind                     kind = Kind::sweep;
+    std::string              curves;        ///< axis: one curve for each of its points; "" for none
+    std::string              abscissa;      ///< axis; of a convergence the sizes of steps; "" for the first with numbers
+    std::string              ordinate;      ///< axis of a stability map
+    std::vector<std::string> together;      ///< quantities that share a picture
+    std::string              precision;     ///< quantity
+    std::string              work;          ///< quantity, or "CPU seconds"
+    std::optional<double>    target;        ///< of the precision, at which methods are compared
+    std::string              file, column;  ///< the signal whose class is told
+    double                   overshoot = 0; ///< limit of the overshoot
+    double                   variation = 0; ///< limit of the relative variation
   };
 
   /// A study as its file describes it, consistent.
