@@ -25,13 +25,14 @@ namespace
     return n;
   }
 
-  /// Starts the study in the folder `killed` and ends it with @p signal when @p n cases are in its log. Its exit code, -1 if killed.
+  /// Starts the study in the folder `killed`, one case after the other so that some are left, and ends it with @p signal when @p n cases
+  /// are in its log. Its exit code, -1 if killed.
   int interrupt(const StudyFolder &folder, const std::size_t n, const int signal)
   {
     Processes   processes;
-    const pid_t driver =
-        processes.start({myolines::test::program_file(), "study", (folder / "study.xml").string(), "--out", (folder / "killed").string(), "--jobs", "2"},
-                        folder / "console");
+    const pid_t driver = processes.start(
+        {myolines::test::program_file(), "study", (folder / "study.xml").string(), "--out", (folder / "killed").string(), "--jobs", "1"},
+        folder / "console");
     std::vector<Ended> ended;
     while (ended.empty() && count(contents(folder / "killed/study.log"), "  done  ") < n)
       ended = processes.wait(0.005);
