@@ -134,13 +134,6 @@ namespace myolines
     if (time.has("steps"))
       for (const SchedulePiece &piece : parse_schedule(time.text("steps"), time, "steps"))
         require(time, "steps", piece.size, "step");
-    if (const scene::Node &time = scene_.section("time"); time.has("step") && !error_norm_)
-      if (const double steps = (settings_.end - settings_.start) / time.number("step"); steps >= 1e7)
-        {
-          std::ostringstream text;
-          text << "there will be " << steps << " steps: time/step is " << time.number("step") << " s";
-          warnings.push_back(text.str());
-        }
     for (const scene::Node *output : intervals())
       require(*output, "interval", output->number("interval"), "interval");
   }
@@ -165,6 +158,13 @@ namespace myolines
       for (const std::string &note : {file->note(), file->note_of_times(settings_.start, settings_.end)})
         if (!note.empty())
           warnings.push_back(note);
+    if (const scene::Node &time = scene_.section("time"); time.has("step") && !error_norm_)
+      if (const double steps = (settings_.end - settings_.start) / time.number("step"); steps >= 1e7)
+        {
+          std::ostringstream text;
+          text << "there will be " << steps << " steps: time/step is " << time.number("step") << " s";
+          warnings.push_back(text.str());
+        }
     for (const scene::Node *output : intervals())
       if (const double rows = (settings_.end - settings_.start) / output->number("interval"); rows >= 1e6)
         {
