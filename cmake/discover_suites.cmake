@@ -1,9 +1,18 @@
-# Asks the GoogleTest program PROGRAM for its tests and writes the file OUTPUT for CTest, with one test per suite: a process costs half a
-# second of loading, so that the cases of a suite share one. Each is named PREFIX.SUITE; a table of its cases with their seconds goes to the
-# folder RESULTS as JSON. COST tells CTest which to start first.
+# Asks the GoogleTest program PROGRAM for its tests and writes the file OUTPUT for CTest, with one test per suite, or with WHOLE one of all: a
+# process costs half a second of loading, so that cases share one. Each is named PREFIX.SUITE, or PREFIX; a table of its cases with their
+# seconds goes to the folder RESULTS as JSON. COST tells CTest which to start first.
+file(GLOB before ${RESULTS}/${PREFIX}.*.json)
+if(before)
+  file(REMOVE ${before}) # suites may have other names now
+endif()
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "${PROGRAM} --gtest_list_tests failed: ${failed}\n${listed}")
+endif()
+if(WHOLE)
+  file(WRITE ${OUTPUT} "add_test([[${PREFIX}]] [[${PROGRAM}]] [[--gtest_output=json:${RESULTS}/${PREFIX}.all.json]])\n"
+                       "set_tests_properties([[${PREFIX}]] PROPERTIES LABELS unit TIMEOUT 1200 COST ${COST})\n")
+  return()
 endif()
 string(REPLACE "\n" ";" lines "${listed}")
 set(text "")

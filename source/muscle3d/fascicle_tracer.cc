@@ -137,7 +137,7 @@ namespace myolines
   {
     const auto   ended = [&](const std::optional<Place> &place) { return !place || !is_muscle(*place); };
     Vector3      a     = direction(from, along);
-    const double h     = length_along(from.cell, a) / 8;
+    const double h     = std::max(from.cell->minimum_vertex_distance() / 8, length_along(from.cell, a) / 16);
     if (const std::optional<Place> middle = locate(x + h / 2 * a, from.cell); middle && is_muscle(*middle))
       a = direction(*middle, a);
     along                            = a;

@@ -103,7 +103,7 @@ namespace
       command("unknown_topic", "list integrater", "nearest valid name: \"integrators\""),
       command("unknown_item", "list integrators \"backwards euler\"", "nearest valid name: \"backward euler\""),
       command("template_of_unknown_system", "template muscle3d", "nearest valid name: \"muscle 3d\""),
-      command("template_of_impossible_pair", "template oscillator static", "cannot be without"),
+      command("template_of_impossible_pair", "template oscillator static", "ignores inertia, but the system has it"),
       command("list_taken_for_a_parameter", "check scene.xml --set time=3", "\"time\" is a list, not a parameter"),
       command("parameter_taken_for_a_list", "check scene.xml --set system/mass/x=3", "\"mass\" is a parameter, not a list"),
       command("step_below_rounding", "check scene.xml --set time/step=1e-320", "below the rounding of the times"),

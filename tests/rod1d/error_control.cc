@@ -94,6 +94,6 @@ TEST(RodByError, workIsInProportionToTheTolerance)
       EXPECT_GT(slope, 0.7) << entry.facts.name << ": " << ::testing::PrintToString(steps);
       EXPECT_LT(slope, 1.15) << entry.facts.name << ": " << ::testing::PrintToString(steps);
       for (std::size_t i = 1; i < steps.size(); ++i)
-        EXPECT_GT(steps[i], steps[i - 1]) << entry.facts.name;
+        EXPECT_GE(steps[i], steps[i - 1]) << entry.facts.name; // those that grow from the first one may be all
     }
 }
