@@ -1,29 +1,25 @@
+#include <myolines/base/lone_process.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <memory>
-#include <utility>
 
 namespace
 {
-  /// Under these Open MPI starts no helper daemon for a process that is no rank of a job.
-  constexpr std::pair<const char *, const char *> alone[] = {{"OMPI_MCA_ess_singleton_isolated", "1"},
-                                                             {"OMPI_MCA_orte_create_session_dirs", "0"},
-                                                             {"OMPI_MCA_pml", "ob1"},
-                                                             {"OMPI_MCA_btl", "self"}};
-
+  /// Variables for a process that is no rank are there only while MPI starts, or programs that a test starts on several ranks have them.
   std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> start_mpi(int &argc, char **&argv)
   {
-    const bool rank = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr;
+    const bool rank = myolines::is_rank_of_a_job();
     if (!rank)
-      for (const auto &[name, value] : alone)
+      for (const auto &[name, value] : myolines::lone_process_variables)
         setenv(name, value, 1);
     auto mpi = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
     if (!rank)
-      for (const auto &[name, value] : alone)
-        unsetenv(name); // or programs that a test starts on several ranks have them
+      for (const auto &[name, value] : myolines::lone_process_variables)
+        unsetenv(name);
     return mpi;
   }
 } // namespace

@@ -1,6 +1,7 @@
 #include "flexodeal_options.h"
 
 #include <myolines/base/error.h>
+#include <myolines/base/lone_process.h>
 #include <myolines/base/names.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/guarded.h>
@@ -315,7 +316,7 @@ namespace myolines
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told where it is written
     const std::string command          = argc > 1 ? argv[1] : "";
     const bool        starts_processes = command == "study" || command == "verify";
-    if (!starts_processes || MpiSession::is_rank_of_a_job())
+    if (!starts_processes || is_rank_of_a_job())
       {
         struct sigaction hang_up
         {

@@ -34,27 +34,15 @@ namespace
       _exit(1);
   }
 
-  void redirect(const int stream, const char *file)
-  {
-    const int opened = open(file, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (opened < 0 || dup2(opened, stream) < 0)
-      _exit(1);
-    close(opened);
-  }
-
   int run(std::vector<std::string> words, myolines::MpiSession &mpi)
   {
     if (chdir(words[0].c_str()) != 0)
       _exit(1);
-    redirect(STDOUT_FILENO, "out.txt");
-    redirect(STDERR_FILENO, "err.txt");
+    myolines::test::redirect(STDOUT_FILENO, "out.txt", O_WRONLY | O_CREAT | O_TRUNC);
+    myolines::test::redirect(STDERR_FILENO, "err.txt", O_WRONLY | O_CREAT | O_TRUNC);
     words[0] = myolines::test::program_file();
-    std::vector<char *> pointers;
-    for (std::string &word : words)
-      pointers.push_back(word.data());
-    pointers.push_back(nullptr);
     alarm(longest);
-    const int code = myolines::program(static_cast<int>(words.size()), pointers.data(), mpi);
+    const int code = myolines::program(static_cast<int>(words.size()), myolines::test::pointers(words).data(), mpi);
     alarm(0);
     std::cout.flush();
     std::fflush(nullptr);

@@ -33,14 +33,7 @@ namespace myolines
       Muscle3dParameters p       = test::small_block(2, 3, 1);
       p.muscle().fibre.direction = {{std::cos(0.5), 0, std::sin(0.5)}};
       p.activation               = std::make_shared<SmoothRise>(0.5);
-      BoundaryCondition held, moved;
-      held.name              = "fixed end";
-      moved.name             = "moving end";
-      moved.face             = 1;
-      moved.type             = BoundaryCondition::Type::strain;
-      moved.reference_length = p.geometry.size[0];
-      moved.strain           = std::make_shared<SmoothRise>(0.03);
-      p.boundary             = {moved, held};
+      p.boundary                 = test::pulled_ends(p, std::make_shared<SmoothRise>(0.03));
       return p;
     }
 

@@ -11,14 +11,7 @@ namespace myolines
       Muscle3dParameters p = test::small_block(2, 3, 0);
       p.dynamic            = false;
       p.activation         = testing::sine(0.3, 10);
-      BoundaryCondition held, moved;
-      held.name              = "fixed end";
-      moved.name             = "moving end";
-      moved.face             = 1;
-      moved.type             = BoundaryCondition::Type::strain;
-      moved.reference_length = p.geometry.size[0];
-      moved.strain           = testing::sine(0.05, 8);
-      p.boundary             = {moved, held};
+      p.boundary           = test::pulled_ends(p, testing::sine(0.05, 8));
       return p;
     }
 

@@ -28,14 +28,7 @@ namespace myolines
     {
       Muscle3dParameters p = test::small_block(2, 3, 0);
       p.activation         = std::make_shared<Rise>(0.5);
-      BoundaryCondition held, moved;
-      held.name              = "fixed end";
-      moved.name             = "moving end";
-      moved.face             = 1;
-      moved.type             = BoundaryCondition::Type::strain;
-      moved.reference_length = p.geometry.size[0];
-      moved.strain           = std::make_shared<Rise>(0.03);
-      p.boundary             = {moved, held};
+      p.boundary           = test::pulled_ends(p, std::make_shared<Rise>(0.03));
       return p;
     }
 

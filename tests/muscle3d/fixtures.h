@@ -35,6 +35,16 @@ namespace myolines::test
     return {right, left};
   }
 
+  /// The same of the block @p p, the right end moved along x by @p strain of its length.
+  inline std::vector<BoundaryCondition> pulled_ends(const Muscle3dParameters &p, std::shared_ptr<const Drive> strain)
+  {
+    std::vector<BoundaryCondition> ends = held_ends();
+    ends[0].type                        = BoundaryCondition::Type::strain;
+    ends[0].reference_length            = p.geometry.size[0];
+    ends[0].strain                      = std::move(strain);
+    return ends;
+  }
+
   /// A small pennate block, fully active, no boundary conditions.
   inline Muscle3dParameters small_block(const unsigned int degree = 2, const unsigned int n_points = 3, const unsigned int refinement = 1)
   {

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -18,15 +19,6 @@ namespace myolines::test
 {
   namespace
   {
-    std::vector<char *> pointers(std::vector<std::string> &texts)
-    {
-      std::vector<char *> all;
-      for (std::string &text : texts)
-        all.push_back(text.data());
-      all.push_back(nullptr);
-      return all;
-    }
-
     /// The environment with which this process began, before MPI said in it that it is a rank of a job.
     std::vector<std::string> environment_at_start()
     {
@@ -70,6 +62,23 @@ namespace myolines::test
         recv(socket_, &status, sizeof status, 0) != static_cast<ssize_t>(sizeof status))
       throw std::runtime_error("the loaded program does not answer");
     return status;
+  }
+
+  std::vector<char *> pointers(std::vector<std::string> &texts)
+  {
+    std::vector<char *> all;
+    for (std::string &text : texts)
+      all.push_back(text.data());
+    all.push_back(nullptr);
+    return all;
+  }
+
+  void redirect(const int stream, const char *file, const int flags)
+  {
+    const int opened = open(file, flags | O_CLOEXEC, 0666);
+    if (opened < 0 || dup2(opened, stream) < 0)
+      _exit(127);
+    close(opened);
   }
 
   std::vector<std::string> ended_by_zeros(const std::string &text)

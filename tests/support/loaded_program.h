@@ -26,6 +26,14 @@ namespace myolines::test
     int process_ = -1;
   };
 
+  // Of processes that run the program.
+
+  /// What main() gets of @p texts, which it borrows; the last one is null.
+  std::vector<char *> pointers(std::vector<std::string> &texts);
+
+  /// Opens @p file as @p stream of this process, or ends it with code 127.
+  void redirect(int stream, const char *file, int flags);
+
   /// The parts of @p text, each of which ends with a zero.
   std::vector<std::string> ended_by_zeros(const std::string &text);
 

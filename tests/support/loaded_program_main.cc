@@ -23,26 +23,15 @@ namespace
     return myolines::program(argc, argv, mpi);
   }
 
-  void redirect(const int stream, const char *file, const int flags)
-  {
-    const int opened = open(file, flags | O_CLOEXEC, 0666);
-    if (opened < 0 || dup2(opened, stream) < 0)
-      _exit(127);
-  }
-
   [[noreturn]] void run(std::vector<std::string> words)
   {
     if (chdir(words[0].c_str()) != 0)
       _exit(127);
-    redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
-    redirect(STDOUT_FILENO, "out.txt", O_WRONLY | O_CREAT | O_TRUNC);
-    redirect(STDERR_FILENO, "err.txt", O_WRONLY | O_CREAT | O_TRUNC);
+    myolines::test::redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
+    myolines::test::redirect(STDOUT_FILENO, "out.txt", O_WRONLY | O_CREAT | O_TRUNC);
+    myolines::test::redirect(STDERR_FILENO, "err.txt", O_WRONLY | O_CREAT | O_TRUNC);
     words[0] = myolines::test::program_file();
-    std::vector<char *> pointers;
-    for (std::string &word : words)
-      pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    std::exit(myolines_program(static_cast<int>(words.size()), pointers.data()));
+    std::exit(myolines_program(static_cast<int>(words.size()), myolines::test::pointers(words).data()));
   }
 } // namespace
 

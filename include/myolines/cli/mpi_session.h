@@ -14,9 +14,6 @@ namespace myolines
     /// @p argc and @p argv are those of main(), and live as long as this.
     MpiSession(int &argc, char **&argv);
 
-    /// Did a launcher such as mpirun start this process as one rank of a job?
-    static bool is_rank_of_a_job();
-
     /// Starts MPI unless that has been done. A process that is no rank of a job does without networks, and without the helper daemon that
     /// Open MPI gives to such processes; variables of the environment that are set already are respected.
     void start();
