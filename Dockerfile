@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # The Debian packages of Myolines, built and installed: docker build -t myolines . (or podman); --build-arg DEBIAN=12 for the older system.
 # Run as: docker run --rm -v "$PWD:/work" myolines run scene.xml
 ARG DEBIAN=13

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # One door to the project: installs what is missing, builds, runs, tests. Works from any folder.
 set -euo pipefail
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Asks the GoogleTest program PROGRAM for its tests and writes the file OUTPUT for CTest, with one test per suite, or with WHOLE one of all: a
 # process costs half a second of loading, so that cases share one. Each is named PREFIX.SUITE, or PREFIX; a table of its cases with their
 # seconds goes to the folder RESULTS as JSON. COST tells CTest which to start first.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # What `cmake --install` copies, and the Debian packages that `cpack` makes of it. Component runtime: program, library, manual page,
 # completion, scenes, pages, licence. Component development: headers, package configuration, name of the library for linkers.
 include(GNUInstallDirs)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/integrators/sundials_integrator.h>
 #include <myolines/time/start.h>
 

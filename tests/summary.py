@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Where the time of a build and of its tests went: summary.py BUILD_FOLDER...
 
 Prints the ten slowest steps of each build (ninja's log), the ten slowest tests, and totals. Test cases are counted and timed from the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A system of one's own, advanced by the integrators of the library.
 //
 //     pendulum [INTEGRATOR [STEPS]]      as `myolines list integrators` names them; default: newmark 200

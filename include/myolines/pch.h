@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 // The heavy third-party headers, compiled once. Nothing of ours: a change of a room must not rebuild the world.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes fusiform.msh and bipennate.msh, two idealised muscle-tendon units, to the folder given (default: that of this script).
 
 fusiform   20 cm long; a belly of 14 cm that swells from 5 mm to 9 mm of radius between two tendons of 3 cm; faces "proximal end", "distal end", "skin".

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes curved.vtu: a curved fusiform muscle as segmented images give it, of tetrahedra, in millimetres, with fibre vectors at its points."""
 import math
 import os

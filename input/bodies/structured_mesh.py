@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Meshes that are a bent box of N[0] x N[1] x N[2] hexahedra, or six times as many tetrahedra, and their files: Gmsh (2.2, ASCII) and VTK (XML, ASCII)."""
 import math
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes gastrocnemius.msh: a human medial gastrocnemius of 22 cm and 126.01 cm^3 in 1265 hexahedra, as in thesis 6.6.
 
 Built, not scanned. Length, volume and number of cells are those of the thesis; the rest is a choice: flat rounded cross-sections three times as wide as

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/fit.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/cli/manual.h>
 #include <myolines/output/version.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/cli/memory_limit.h>
 #include <myolines/scene/numbers.h>
 

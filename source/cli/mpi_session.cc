@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/lone_process.h>
 #include <myolines/cli/mpi_session.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/fem/cell_batches.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/fem/node_space.h>
 
 #include <deal.II/dofs/dof_tools.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/integrators/sundials_tools.h>
 #include <myolines/integrators/sundials_versions.h>
 #include <myolines/time/error_norm.h>

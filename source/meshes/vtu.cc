@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "vtk_cells.h"
 #include "vtu_arrays.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "point_states.h"
 
 #include <myolines/muscle3d/block_fields.h>

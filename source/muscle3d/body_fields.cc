@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/muscle3d/body_fields.h>
 #include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/formula.h>

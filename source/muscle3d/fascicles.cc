@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "fascicle_tracer.h"
 #include "forest_order.h"
 #include "point_states.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/names.h>
 #include <myolines/fem/distortion.h>
 #include <myolines/materials/tissue.h>

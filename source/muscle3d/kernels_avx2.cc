@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #if defined(__x86_64__)
 #  include "kernels_impl.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/algebra/norm.h>
 #include <myolines/muscle3d/loads.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "current_ghosts.h"
 
 #include <myolines/muscle3d/discretisation.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_sampler.h"
 
 #include <myolines/meshes/tidy.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/materials/curves.h>
 #include <myolines/materials/hill_curves.h>
 #include <myolines/muscle3d/tendon_spring.h>

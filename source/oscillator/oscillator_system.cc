@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/system/band_linearisation.h>
 #include <myolines/system/file_drive.h>

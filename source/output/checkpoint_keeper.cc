@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/muscle3d/kernels.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/output/csv_file.h>
 #include <myolines/output/dense_output.h>
 #include <myolines/system/instants.h>

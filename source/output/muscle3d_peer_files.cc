@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/muscle3d/fascicles.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/muscle3d_files.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/output/output_folder.h>
 #include <myolines/output/text_file.h>
 

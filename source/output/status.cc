@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/output/outputs.h>
 #include <myolines/output/status.h>
 #include <myolines/output/text_file.h>

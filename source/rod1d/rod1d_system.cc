@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "rod1d_element.h"
 
 #include <myolines/system/band_linearisation.h>

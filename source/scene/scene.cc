@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/scene/document.h>
 #include <myolines/scene/input_text.h>
 #include <myolines/scene/node_builder.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/solve/band_directions.h>
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/algebra/norm.h>
 #include <myolines/solve/lifted_function.h>
 

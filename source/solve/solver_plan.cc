@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/solve/linear_solver.h>
 #include <myolines/solve/preconditioner.h>
 #include <myolines/system/band_linearisation.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/scene/numbers.h>
 #include <myolines/study/csv_table.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/system/drive_types.h>
 #include <myolines/system/instants.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/time/combination.h>
 #include <myolines/time/dirk.h>
 #include <myolines/time/error_norm.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/solve/free_unknowns.h>
 #include <myolines/time/combination.h>
 #include <myolines/time/start.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/plan.h>

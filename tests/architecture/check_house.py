@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Checks that the sources keep to the house of doc/architecture.md.
 
 check_house.py ROOT                       every violation is one line, exit 1 if there is any
@@ -14,6 +15,7 @@ import sys
 LONGEST_FILE = 400
 SCANNED = ("include", "source", "integrators")
 CODE = (".h", ".cc", ".py", ".sh")
+LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
 # (what, names in the code, folders that may use them)
 FENCES = (
@@ -161,10 +163,18 @@ def length_violations(root):
     return found
 
 
+def licence_violations(root):
+    return [
+        f"{path}: no line {LICENCE}"
+        for path in files(root, SCANNED + ("tests", "doc", "examples"))
+        if path.endswith(CODE) and LICENCE not in read(os.path.join(root, path))
+    ]
+
+
 def violations(root):
     table = floors(root)
     methods = method_names(root)
-    found = cmake_violations(root, table) + registry_violations(root) + length_violations(root)
+    found = cmake_violations(root, table) + registry_violations(root) + length_violations(root) + licence_violations(root)
     for path in files(root, SCANNED):
         if path.endswith((".h", ".cc")):
             text = without_comments(read(os.path.join(root, path)))
@@ -190,6 +200,7 @@ PLANTED = (
     ("source/attic/planted.cc", "int x;\n", "the room attic is not in the table"),
     ("source/scene/planted.cc", '#include "../time/loop.h"\n', "a quoted include leaves its folder"),
     ("tests/base/planted.cc", "\n" * (LONGEST_FILE + 1), f"more than {LONGEST_FILE}"),
+    ("source/base/planted2.cc", "int x;\n", "no line SPDX"),
     ("integrators/planted2.cc", "\n", "has no line in integrators/list.def"),
     ("source/cli/planted2.cc", 'const char *advice = "bdf2 and sdirk2 do";\n', "the constant names the integrator bdf2"),
 )
@@ -222,8 +233,10 @@ def self_test(root, scratch):
     for path in texts + ["CMakeLists.txt"]:
         plant(copy, path, read(os.path.join(root, path)))
     before = violations(copy)
-    for path, text, _ in PLANTED + INNOCENT:
+    for path, text, _ in PLANTED:
         plant(copy, path, text)
+    for path, text, _ in INNOCENT:
+        plant(copy, path, f"// {LICENCE}\n{text}")
     plant(copy, "integrators/list.def", read(os.path.join(root, "integrators/list.def")) + "MYOLINES_INTEGRATOR(ghost)\n")
     after = [line for line in violations(copy) if line not in before]
 

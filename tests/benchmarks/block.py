@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs of the isometric block, and what they cost: shared by the scripts of this folder."""
 
 import csv

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Two builds, or two settings of one, by ratio: compare.py A B [--pairs 5] [--set PATH=VALUE ...] [--set-a ...] [--set-b ...]
 
 A and B are programs. Every pair runs A and B one after the other, in turns first, so that a slow spell of the machine meets both. Prints CPU

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What becomes of every additive split of the muscle at every step size: imex.py PROGRAM [--refinement 1] [--steps 100 | --end 1e-6]
 
 The block of input/passive_stretch.xml is pulled, passive or activated at once to one half (with and without the force-velocity relation), and

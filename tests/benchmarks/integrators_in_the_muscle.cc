@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The table of integrators in the muscle: error, ringing and cost of every scheme and number of steps on the kinked block, each beside
 // what the study of tests/data/integrators_3d.csv found. doc/integrators_in_the_muscle.md shows it.
 //   integrators_in_the_muscle REFINEMENT [STEPS_OF_REFERENCE [DATA_FOR_GNUPLOT [PATH=VALUE...]]]

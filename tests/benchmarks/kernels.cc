@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Cost of the cell kernels, per cell: `build/release/tests/benchmark_kernels`.
 #include "../muscle3d/fixtures.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Microseconds per cell of the cell kernels as a table, a column for each instruction set: kernels.py BENCHMARK_KERNELS [--seconds 0.2]
 
 Dynamic, fully active, exact tangent. Empty: the processor lacks the instruction set.

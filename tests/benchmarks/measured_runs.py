@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs that may fail or take too long, and what they took: shared by the scripts of this folder that compare methods."""
 
 import csv

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of methods and systems, in Markdown, from what `list methods` says.
 
 methods_table.py PROGRAM

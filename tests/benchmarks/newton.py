@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What Newton's method costs where it is hard: newton.py PROGRAM [--cases block kinked one hold slender cook indented] [--quick]
 
 Every accepted step ends at a residual of 1e-8 N, whatever the size of the forces, so that counts can be compared. Columns: Newton iterations, Krylov

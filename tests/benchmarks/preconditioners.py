@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Krylov iterations per Newton iteration and CPU seconds per step of every preconditioner, over refinement, bulk modulus and state:
 preconditioners.py PROGRAM [--refinements 2 3]
 

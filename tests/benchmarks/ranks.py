@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What a second rank gains, against what it gains where memory is the limit: ranks.py PROGRAM TRIAD [--refinement 4] [--steps 2] [--rounds 3]
 
 In every round: the triad on 1 and 2 processes, the block on 1 and 2 ranks. Wall-clock seconds; the machine must do nothing else.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Methods at kinks, beside sdirk3: restarts.py PROGRAM [--refinement 1] [--tables activation boundary orders] [--methods NAME ...] [--set PATH=VALUE ...]
 
 Runs of input/kinked_block.xml with other drives. Activation: to one half within the time in the head, both ends held. Boundary: an active block whose end is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a step of small systems costs: a Neo-Hookean rod of 64 elements and an oscillator, 1e5 steps of sdirk2.
 //   benchmark_small_systems [steps]
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What an implicit stage of a small system costs, as a table: small_systems.py BENCHMARK_SMALL_SYSTEMS [--steps 20000] [--rounds 3]
 
 The fastest of the rounds of each; "outside" is what remains beside residuals, Jacobians and band solves.

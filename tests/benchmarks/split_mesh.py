@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """The force of a muscle of split tetrahedra beside that of hexahedra, for doc/meshes.md.
 
 split_mesh.py MYOLINES

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What `myolines study` costs beside the runs themselves: study_overhead.py PROGRAM [--cases 500] [--jobs 2] [--step 0.0005] [--rounds 1]
 
 Runs as many free oscillations, each with a mass of its own, once as a study and once as a plain shell loop (xargs), with as many jobs at a

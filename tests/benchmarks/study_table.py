@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """A study as a table in Markdown: study_table.py PROGRAM STUDY.xml --rows AXES [--columns AXES] [--only AXIS=POINT] --values NAMES ...
 
 Runs the study, one case at a time, and prints its quantities: a row for every point of the axes of --rows, a column for every point of those of --columns

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Work and error of the methods of SUNDIALS, beside sdirk3, over the tolerance: sundials.py PROGRAM [--cases rod muscle] [--limit 30]
 
 rod: input/adaptive_rod.xml with 8 elements until 0.1 s, displacements within tol and 1e-2 m tol, velocities within tol and 1 m/s tol; error

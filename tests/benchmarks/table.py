@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """What the isometric block costs: table.py PROGRAM [--refinements 2 3 4] [--ranks 1] [--points 3] [--steps 8] [--triad BENCHMARK_TRIAD]
 
 Three tables: counts, which do not depend on the machine; seconds and memory; and where the wall-clock time of the first rank goes, in percent of it. Memory per

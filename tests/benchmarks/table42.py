@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Table 4.2 of the thesis again: table42.py PROGRAM [--limit 120] [--only ode23tb ...]
 
 Every solver of MATLAB in that table has a counterpart here, which runs input/adaptive_rod.xml: the Neo-Hookean rod of 64 elements under the

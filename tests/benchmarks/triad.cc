@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What two processes gain where memory is the limit: `triad` alone, then `mpirun -np 2 triad`. Prints GB/s of all processes together.
 #include <mpi.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The scene of an afterloaded contraction: its columns, its three phases, and what `check` says of it.
 #include "../support/places.h"
 #include "program_runner.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: `myolines compare` of real runs, and what it refuses.
 
 #include "../support/places.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: measured data drive a muscle, and the commands of doc/data.md work as they are printed.
 
 #include "../support/places.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Which methods and systems go together: what `list methods` says is what runs do.
 
 #include "program_runner.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirements: the program tells its versions, prints its manual page and a completion that bash understands; all three name what it has.
 
 #include "program_runner.h"

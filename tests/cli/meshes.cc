@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes of bodies from meshes, by the program.
 #include "program_runner.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The single-point driver against closed forms.
 #include "../support/places.h"
 #include "program_runner.h"

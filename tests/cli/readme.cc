@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: the command lines of the README work as they are printed.
 
 #include "../support/places.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: what the system refuses ends a run with exit code 4, its first reason and everything before it whole; nothing of others is
 // touched; names are never commands.
 

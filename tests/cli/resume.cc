@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: --resume goes on bit for bit, extends runs, and refuses what would not be the same run.
 
 #include "program_runner.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: muscles in one dimension that are resumed from a checkpoint write the tables of a run that was not interrupted, byte for
 // byte.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: a rod resumed from a checkpoint writes the tables of a run that was not interrupted, byte for byte, with every method.
 
 #include "../support/places.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What a scene does not need is not computed: the ledger of whole runs, and what `check` says of it.
 #include "../support/places.h"
 #include "program_runner.h"

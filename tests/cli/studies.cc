@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: every study of input/ is valid, with all its cases. In this process: each start of the program costs half a second.
 #include "../support/places.h"
 

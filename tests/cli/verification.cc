@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes of input/ against numbers of other programs.
 #include "../support/places.h"
 #include "program_runner.h"

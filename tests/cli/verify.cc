@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: `verify` gives values with errors that hold exact or much finer ones, goes on where it was, and tells what it cannot do.
 
 #include "program_runner.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: L2 differences are those of the functions, on equal, nested and any other meshes.
 
 #include "fields.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # gnuplot -e "run='results/afterloaded_contraction'; folder='doc/pictures'" afterloaded.gp
 set terminal svg size 900,640 font 'sans,13' background 'white'
 set datafile separator ','

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Spectral radius, algorithmic damping and period error of the integrators over omega dt, as the program takes its steps: one
 // block of numbers for each method, for gnuplot. The same transition matrices are compared with theory in tests/integrators.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # gnuplot -e "data='curves.dat'; folder='doc/pictures'" curves.gp
 set terminal svg size 900,520 font 'sans,13' background 'white'
 set key outside right

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # gnuplot -e "study='results/force_velocity'; folder='doc/pictures'" force_velocity.gp
 # Shortening of the block beside the force-velocity curve of its fibres, thesis (A.2.3), with e0 = 5 1/s.
 set terminal svg size 900,520 font 'sans,13' background 'white'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # gnuplot -e "data='muscle.dat'; folder='doc/pictures'" muscle.gp
 set terminal svg size 900,520 font 'sans,13' background 'white'
 set output folder.'/muscle_errors.svg'

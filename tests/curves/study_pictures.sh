@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # study_pictures.sh PROGRAM SOURCE RESULTS: runs the studies behind doc/kinks.md and doc/stability.md in RESULTS, where a study that is done is not
 # run again, and puts the pictures of these pages, and the forces of doc/muscle_tendon_units.md, into SOURCE/doc/pictures.
 set -eu

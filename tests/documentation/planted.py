@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """doc/check against pages with planted faults: planted.py ROOT SCRATCH
 
 Each page is right but for one fault, which must be found with page and line; pages without fault must pass, and --write must mend what differs

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Damaged input must be refused or read, never crash: fuzz.py SERVER SOURCE_FOLDER SCRATCH_FOLDER [--count N] [--seed S] [--target NAME]...
 
 Each target has seeds (files that are right) and a command that reads one. A seed is changed in one to four places: bytes flipped, pieces removed,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs one command after the other in a process that has started MPI once, for fuzz.py; where a command ends the process, another one goes
 // on.
 //

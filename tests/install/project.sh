@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # examples/pendulum is built against an installed library and right: project.sh BUILD_FOLDER SOURCE_FOLDER SCRATCH_FOLDER
 set -euo pipefail
 rm -rf "$3"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # What `cmake --install` leaves works where it is and shows what it should: tree.sh BUILD_FOLDER SCRATCH_FOLDER
 set -euo pipefail
 build=$1 prefix=$2/prefix

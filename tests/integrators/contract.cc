@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The promises of the class Integrator that hold for every registered method of ours, dynamic or not.
 
 #include "experiment.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The balance of energy of the oscillator with methods whose dissipation is known, and the guard against steps that gain.
 
 #include "experiment.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What every method must show whose steps are chosen by error: its estimates, work and errors in proportion to the tolerance, steps
 // that are refused leave no trace, and runs go on bit for bit.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Implicit-explicit Euler: what it says of splits, and its limit of stability where both parts are a spring and a damper.
 
 #include "experiment.h"

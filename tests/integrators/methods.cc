@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What single methods promise beyond the suite: derived values, refusals, boundary jumps.
 
 #include "experiment.h"

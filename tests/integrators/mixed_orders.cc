@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Unknowns of second and first order in time and algebraic ones in one state, for methods that take them all.
 
 #include "../support/matrices.h"

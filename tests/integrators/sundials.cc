@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The methods of SUNDIALS: every table has its order, errors follow tolerances, steps stop where they must, failures leave no trace.
 
 #include "exact.h"

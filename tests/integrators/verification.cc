@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What every dynamic method of integrators/list.def must show, through the same code that runs a scene.
 
 #include "exact.h"

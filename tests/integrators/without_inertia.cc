@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Systems without inertia: a viscous one, whose rate its equation gives, and one of equilibria, whose rate nothing gives.
 
 #include "../support/matrices.h"

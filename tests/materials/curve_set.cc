@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Smooth curves and those of the user.
 #include "../support/temporary.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Curves of appendix A.2 against independently computed values, differences, and quadrature.
 #include "../support/places.h"
 #include <myolines/materials/tissue.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Files of Gmsh: every version and encoding is the same mesh; damaged ones are refused with their place.
 #include "gmsh_texts.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What becomes of cells that are no hexahedra, and what is put right.
 #include <myolines/meshes/tidy.h>
 

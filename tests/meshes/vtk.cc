@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Files of VTK, legacy and XML, in all their encodings; and meshes that are written and read back.
 #include "example.h"
 

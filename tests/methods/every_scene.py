@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Every method in every shipped scene: `--set integrator/type=X` runs, or is refused with a reason before anything is computed.
 
 every_scene.py PROGRAM WORK_FOLDER [--limit 60] [--scene NAME ...] [--method NAME ...]

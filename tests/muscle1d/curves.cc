@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "../support/table.h"
 
 #include <myolines/muscle1d/gait.h>

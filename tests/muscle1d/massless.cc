@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The massless unit, whose force depends on its velocity, by fixed steps: every method that takes it has its order there, up to the second,
 // which the printed curves, smooth in pieces only, allow.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #include "../support/complaint.h"
 #include "../support/temporary.h"
 #include "run.h"

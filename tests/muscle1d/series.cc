@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs against series that an independent program computed, with methods that chose their steps by error.
 
 #include "../support/table.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Activation by regions, and from an excitation.
 #include "../support/temporary.h"
 #include "fixtures.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A face that moves as one under a force, with a stop: closed forms, and the same body without a stop.
 #include "bar.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Fibres between faces, and the acoustic tensor.
 #include "fixtures.h"
 

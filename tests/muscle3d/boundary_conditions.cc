@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Boundary conditions in whole runs, against closed forms and against other ways to say the same.
 #include "bar.h"
 

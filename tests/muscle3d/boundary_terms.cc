@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Forces on faces and relations between unknowns: tangents beside differences, both operators, and the preconditioners.
 #include "../support/solvers.h"
 #include "fixtures.h"

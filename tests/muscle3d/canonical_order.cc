@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: vectors in canonical order are the same sequence for any number of ranks. On one rank this proves that the order is
 // complete; `mpirun -np N` of this program proves the rest (the tests parallel.canonical_order).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Energy balance of whole runs, and what runs do and do not compute.
 #include "simulation.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The quasi-static muscle: whatever advances it, every step ends in equilibrium, and rates are those of the equilibria.
 #include "../support/drives.h"
 #include "simulation.h"

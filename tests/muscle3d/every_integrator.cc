@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Every integrator for dynamics runs the muscle, active, with a moving end, and tends to the same motion.
 #include "simulation.h"
 

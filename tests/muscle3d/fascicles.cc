@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Lines of action, and fascicles whose lengths and curvatures have closed forms.
 #include "fixtures.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Fractions of extracellular matrix and tissues that vary within a block, against closed forms and between formulas and tables.
 #include "../support/solvers.h"
 #include "../support/temporary.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: bodies that nothing holds, and that move from the beginning.
 
 #include "simulation.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Rigid motions and homogeneous deformations on a distorted mesh.
 #include "fixtures.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Loads from outside, against closed forms.
 #include "simulation.h"
 

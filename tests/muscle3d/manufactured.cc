@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Manufactured solution in space through the whole program path: formulas in, static solve, L2 error out.
 #include "../support/solvers.h"
 #include "fixtures.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies from files of meshes, good and bad.
 #include "../support/complaint.h"
 #include "../support/temporary.h"

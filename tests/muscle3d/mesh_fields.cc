@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Properties of points from the arrays of a mesh.
 #include "../support/complaint.h"
 #include "../support/temporary.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Newton's method with pressure and dilatation as iterates: the solution is that of the condensed system, the way there does not know
 // the bulk modulus.
 #include "../support/drives.h"

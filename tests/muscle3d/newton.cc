@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Newton's method with the exact tangent: few iterations, whatever the step.
 #include "simulation.h"
 

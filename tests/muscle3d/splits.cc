@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Additive splits of the muscle, against closed forms and each other.
 #include "../support/taylor.h"
 #include "fixtures.h"

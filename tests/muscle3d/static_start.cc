@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs that start from static equilibrium.
 #include "simulation.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Matrix-free smallest eigenvalues of the tangent against dense ones.
 #include "simulation.h"
 

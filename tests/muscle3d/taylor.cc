@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The linearisation against differences of the residual, at random states of a distorted mesh.
 #include "fixtures.h"
 

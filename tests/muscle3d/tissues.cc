@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Bodies of several tissues, and fields over the body.
 #include "../support/temporary.h"
 #include "fixtures.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: methods in the muscle are as accurate, and ring as much, as an independent program has found.
 
 #include "measured_run.h"

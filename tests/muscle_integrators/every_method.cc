@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: every registered method runs the muscle from one line of a scene, or is refused by name with a reason.
 
 #include "../support/places.h"

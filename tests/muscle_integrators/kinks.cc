@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: with nothing but defaults every method that meets the ends of its steps is right where activation or the velocity of a
 // boundary jumps, and a time that is beside a kink by rounding only is the kink.
 

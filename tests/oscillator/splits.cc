@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The split of the oscillator, and systems linearised at rest, by hand.
 
 #include "../support/drives.h"

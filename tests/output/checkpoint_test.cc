@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: a checkpoint gives back every bit, and says so if it cannot.
 
 #include <myolines/base/checksum.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: HDF5 files hold what the state holds, at the points where it holds. Homogeneous motions, which have closed forms.
 
 #include <myolines/base/error.h>

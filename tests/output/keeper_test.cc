@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: runs are kept where the list `checkpoint` says, at signals and ends; solvers forget at the same steps in every run.
 
 #include <myolines/oscillator/oscillator_system.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: energies, powers and averages of a block in homogeneous motion are those of their closed forms.
 
 #include "block.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: the files of a muscle run hold what their headers say. Homogeneous motions of a block, whose measures have closed forms.
 
 #include "block.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: a folder belongs to one run at a time; what a run did not write is never removed or overwritten.
 
 #include <myolines/base/error.h>

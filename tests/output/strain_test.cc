@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: strain.csv of a muscle holds strains of parts of the block, whatever it does as a whole.
 
 #include <myolines/fem/node_space.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Runs one regression case and compares numbers, never screen text.
 #   run_case.sh PROGRAM CASE_FOLDER WORK_FOLDER [extra arguments of `myolines run`]
 # A case folder holds

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Requirement: a run that is interrupted in any way and resumed leaves what it would have left.
 #   resume.sh PROGRAM WORK_FOLDER CASE
 # Cases: killed, killed_ml, killed_error, stopped, ranks, outputs; see below.

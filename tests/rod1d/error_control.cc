@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Steps chosen by error on the rod of the thesis.
 
 #include "../support/solvers.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The implicit-explicit scheme of thesis (4.7.9), by hand; against an independent program in tests/regression/imex_rod.
 
 #include "../support/taylor.h"

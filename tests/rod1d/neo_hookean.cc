@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The Neo-Hookean rod of thesis section 4.7 against an independent program, with the conventions of the thesis.
 
 #include "../support/drives.h"

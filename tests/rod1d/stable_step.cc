@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Eigenvalues that limit explicit steps, against closed forms of uniform rods.
 
 #include "rod.h"

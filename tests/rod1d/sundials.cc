@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // SUNDIALS at tight tolerances against the exact-in-time solution of the same elements of the Neo-Hookean rod.
 
 #include "../support/table.h"

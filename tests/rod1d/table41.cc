@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Table 4.1 of the thesis: convergence of a linear rod with g(t) = 0.1 t^3 at t = 0.5 s.
 
 #include "../support/drives.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Tables that a person gives.
 #include "../support/temporary.h"
 

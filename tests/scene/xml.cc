@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: what the XML parser would tell in words that do not help, or would not survive, is told with its line.
 
 #include <myolines/scene/scene.h>

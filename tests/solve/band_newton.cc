@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Newton's method on bands makes the same steps as the general one: lift, line search, inadmissible points, convergence.
 
 #include "../support/matrices.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // A run that is asked to stop: solves fail at the next occasion, and say so.
 
 #include "small_problem.h"

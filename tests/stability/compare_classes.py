@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
 """Runs a stability map and compares the class of every case with the one expected.
 
 compare_classes.py PROGRAM STUDY EXPECTED FOLDER

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Runs the commands that LoadedProgram asks for on standard input, each in a copy of this process.
 
 #include "loaded_program.h"

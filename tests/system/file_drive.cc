@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Quantities whose samples stand in a file.
 #include "../support/complaint.h"
 #include "../support/temporary.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: one rule says which times are the same instant.
 
 #include <myolines/system/instants.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // Drives between samples, and their filters.
 #include <myolines/system/sampled.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
 # Builds, installs and tries the committed sources on an empty Debian: debian.sh 12|13 FOLDER [--tests [CTEST ARGUMENTS]]
 #
 # FOLDER becomes the root of the system (debootstrap), or is one that this script has made before; the sources go to FOLDER/src/myolines.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // The sums of the balance of energy, fed with numbers of closed forms.
 
 #include <myolines/time/energy_balance.h>

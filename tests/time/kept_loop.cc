@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 // What the loop tells its keeper and its observers, and when.
 #include "loop_fixtures.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
 // What differs between SUNDIALS 6.4 and 7: how a session is told its ranks and who hears of errors. From 7 on sessions have one handler of
