@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/base/lanes.h>
+#include <myolines/base/error.h>
+#include <myolines/base/named_instruction_set.h>
+
+#include <utility>
 
 namespace myolines
 {
@@ -25,5 +28,24 @@ namespace myolines
       default:
         return "baseline";
       }
+  }
+
+  InstructionSet instruction_set_named(const std::string &word)
+  {
+    constexpr std::pair<const char *, InstructionSet> all[] = {
+        {"baseline", InstructionSet::baseline}, {"avx2", InstructionSet::avx2}, {"avx512", InstructionSet::avx512}};
+    std::string available;
+    bool        known = false;
+    for (const auto &[name, set] : all)
+      {
+        const bool here = set <= widest_instruction_set(), meant = word == name;
+        if (here && meant)
+          return set;
+        known = known || meant;
+        if (here)
+          available += (available.empty() ? "" : ", ") + std::string(name);
+      }
+    throw InputError(InputProblem{"--instruction-set", known ? "this processor does not have " + word : "there is no \"" + word + "\"",
+                                  "one of " + available, ""});
   }
 } // namespace myolines

@@ -68,9 +68,9 @@ namespace myolines
       refuse_free_motions(body, node, parameter, "an equilibrium");
     }
 
-    AssembledSystem make_muscle3d(const Node &node, WorkLedger &ledger)
+    AssembledSystem make_muscle3d(const Node &node, WorkLedger &ledger, const InstructionSet set)
     {
-      auto                     system     = std::make_unique<Muscle3dSystem>(read_muscle3d(node), MPI_COMM_WORLD, ledger);
+      auto                     system     = std::make_unique<Muscle3dSystem>(read_muscle3d(node), MPI_COMM_WORLD, ledger, set);
       const Muscle3dParameters parameters = system->parameters();
       std::vector<std::string> plan       = system->plan();
       plan.push_back("cells: " + std::to_string(system->n_cells()));
@@ -83,8 +83,10 @@ namespace myolines
       const auto &body              = dynamic_cast<const Muscle3dSystem &>(*assembled.system);
       if (!parameters.dynamic)
         refuse_free_motions(body, node, "inertia", "a quasi-static system");
-      assembled.require_equilibrium = [&body](const Node &time, const std::string &parameter) { require_equilibrium(body, time, parameter); };
-      assembled.measure             = [&body] { return body_facts(body); };
+      assembled.require_equilibrium = [&body](const Node &time, const std::string &parameter) {
+        require_equilibrium(body, time, parameter);
+      };
+      assembled.measure = [&body] { return body_facts(body); };
       if (!why_no_line.empty())
         assembled.warnings.push_back(
             "there is no line of action: " + why_no_line +
@@ -95,7 +97,7 @@ namespace myolines
       return assembled;
     }
 
-    AssembledSystem make_oscillator(const Node &node, WorkLedger &ledger)
+    AssembledSystem make_oscillator(const Node &node, WorkLedger &ledger, InstructionSet)
     {
       const OscillatorParameters parameters = read_oscillator(node);
       AssembledSystem            assembled  = assemble(std::make_unique<OscillatorSystem>(parameters, ledger), ledger);
@@ -111,7 +113,7 @@ namespace myolines
 
     SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0, 0, true}; }
 
-    AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger)
+    AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger, InstructionSet)
     {
       const Rod1dParameters parameters = read_rod1d(node);
       AssembledSystem       assembled  = assemble(std::make_unique<Rod1dSystem>(parameters, ledger), ledger);
@@ -131,17 +133,20 @@ namespace myolines
       return assembled;
     }
 
-    AssembledSystem make_muscle_tendon_unit(const Node &node, WorkLedger &ledger)
+    AssembledSystem make_muscle_tendon_unit(const Node &node, WorkLedger &ledger, InstructionSet)
     {
       return make_muscle1d(read_muscle_tendon_unit(node), ledger);
     }
 
-    AssembledSystem make_continuum_muscle(const Node &node, WorkLedger &ledger)
+    AssembledSystem make_continuum_muscle(const Node &node, WorkLedger &ledger, InstructionSet)
     {
       return make_muscle1d(read_continuum_muscle(node), ledger);
     }
 
-    AssembledSystem make_isometric_chain(const Node &node, WorkLedger &ledger) { return make_muscle1d(read_isometric_chain(node), ledger); }
+    AssembledSystem make_isometric_chain(const Node &node, WorkLedger &ledger, InstructionSet)
+    {
+      return make_muscle1d(read_isometric_chain(node), ledger);
+    }
 
     /// Some twenty vectors of a run, four bands and the matrix that is solved with.
     SizeEstimate muscle1d_size(const double n_elements, const double degree, const double activations)
@@ -200,40 +205,41 @@ namespace myolines
           {"title", "A muscle with its tendon in a synthetic gait"}, {"time/end", "2"}, {"time/step", "1e-3"}};
       const std::vector<scene::Setting> relaxing{{"title", "An active muscle at fixed length"}, {"time/end", "10"}, {"time/step", "1e-3"}};
       const SystemVariant               unknown_activation{"activation unknown", {{"system/activation", "unknown"}}};
-      return {{"muscle 3d",
-               muscle3d_schema(),
-               muscle3d_output_schema(),
-               isometric,
-               {{"dynamic", {}}, {"quasi-static", {{"system/inertia", "quasi-static"}}}},
-               make_muscle3d,
-               muscle3d_size,
-               {"geometry/refinement", true, "discretisation/degree", "discretisation/quadrature points"}},
-              {"muscle-tendon unit",
-               muscle_tendon_unit_schema(),
-               muscle_tendon_output_schema(),
-               walking,
-               {{"masses", {}}, {"massless", {{"system/masses", "0"}}}, unknown_activation},
-               make_muscle_tendon_unit,
-               muscle_tendon_unit_size,
-               {"masses"}},
-              {"continuum muscle",
-               continuum_muscle_schema(),
-               muscle_tendon_output_schema(),
-               walking,
-               {{"", {}}, unknown_activation},
-               make_continuum_muscle,
-               continuum_muscle_size,
-               {"elements", false, "degree"}},
-              {"isometric chain",
-               isometric_chain_schema(),
-               isometric_chain_output_schema(),
-               relaxing,
-               {{"", {}}},
-               make_isometric_chain,
-               isometric_chain_size,
-               {"elements"}},
-              {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {{"", {}}}, make_rod1d, rod1d_size, {"elements", false, "degree"}},
-              {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {{"", {}}}, make_oscillator, oscillator_size, {}}};
+      return {
+          {"muscle 3d",
+           muscle3d_schema(),
+           muscle3d_output_schema(),
+           isometric,
+           {{"dynamic", {}}, {"quasi-static", {{"system/inertia", "quasi-static"}}}},
+           make_muscle3d,
+           muscle3d_size,
+           {"geometry/refinement", true, "discretisation/degree", "discretisation/quadrature points"}},
+          {"muscle-tendon unit",
+           muscle_tendon_unit_schema(),
+           muscle_tendon_output_schema(),
+           walking,
+           {{"masses", {}}, {"massless", {{"system/masses", "0"}}}, unknown_activation},
+           make_muscle_tendon_unit,
+           muscle_tendon_unit_size,
+           {"masses"}},
+          {"continuum muscle",
+           continuum_muscle_schema(),
+           muscle_tendon_output_schema(),
+           walking,
+           {{"", {}}, unknown_activation},
+           make_continuum_muscle,
+           continuum_muscle_size,
+           {"elements", false, "degree"}},
+          {"isometric chain",
+           isometric_chain_schema(),
+           isometric_chain_output_schema(),
+           relaxing,
+           {{"", {}}},
+           make_isometric_chain,
+           isometric_chain_size,
+           {"elements"}},
+          {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {{"", {}}}, make_rod1d, rod1d_size, {"elements", false, "degree"}},
+          {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {{"", {}}}, make_oscillator, oscillator_size, {}}};
     }
 
     Schema integrator_schema()

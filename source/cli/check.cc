@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/base/scratch_folder.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
@@ -96,9 +95,7 @@ namespace myolines
 
   void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out)
   {
-    const Experiment    experiment(read_whole_scene(scene, overrides));
-    const ScratchFolder scratch;
-    experiment.assembled().make_outputs(experiment.scene().section("output"), scratch.path());
+    const Experiment experiment(read_whole_scene(scene, overrides));
 
     out << "The scene is valid. Resolved, with every value in force:\n\n" << scene::resolved_xml(experiment.scene()) << "\n";
     const std::string type = experiment.scene().section("system").text("type");

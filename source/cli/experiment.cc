@@ -58,10 +58,11 @@ namespace myolines
     }
   } // namespace
 
-  Experiment::Experiment(scene::Node scene)
+  Experiment::Experiment(scene::Node scene, const InstructionSet instruction_set)
     : scene_(feasible(std::move(scene)))
+    , instruction_set_(instruction_set)
     , assembled_(system_entry(scene_.section("system").text("type"), scene_.section("system").where("type"))
-                     .make(scene_.section("system"), ledger_))
+                     .make(scene_.section("system"), ledger_, instruction_set))
     , method_(integrator_entry(scene_.section("integrator").text("type")))
     , settings_(loop_settings(scene_.section("time")))
     , linear_(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"), ledger_,
@@ -79,6 +80,7 @@ namespace myolines
                                       assembled_.system->capabilities().linear);
     error_norm_  = make_error_norm(scene_.section("time"), *assembled_.system);
     make_method();
+    assembled_.make_outputs(scene_.section("output"), OutputFolder::nowhere()); // which refuse what they cannot do
     for (const std::filesystem::path &file : scene_.files())
       if (writes_files())
         inputs_[file.string()] = checksum_of_file(file);
@@ -217,7 +219,7 @@ namespace myolines
       find_equilibrium(state);
     CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
                             {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_), inputs_,
-                             [this] { nonlinear_.forget(); }, [this] { return stop_signal(); }},
+                             name(instruction_set_), [this] { nonlinear_.forget(); }, [this] { return stop_signal(); }},
                             folder);
     if (self_paced_)
       run_loop(*assembled_.system, *self_paced_, settings_, state, observers, ledger_, &keeper);

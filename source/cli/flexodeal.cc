@@ -3,7 +3,6 @@
 #include "peer_profiles.h"
 
 #include <myolines/base/names.h>
-#include <myolines/base/scratch_folder.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/flexodeal.h>
 #include <myolines/muscle3d/activation.h>
@@ -258,8 +257,6 @@ namespace myolines
           const std::string   xml    = scene::written_xml(scene::compose_scene(schema, t.settings(), name, folder));
           const std::string   coarse = "system/geometry/refinement=" + std::to_string(std::min(1, body.refinement));
           const Experiment    experiment(scene::parse_scene(xml, schema, name, folder, {coarse}));
-          const ScratchFolder scratch;
-          experiment.assembled().make_outputs(experiment.scene().section("output"), scratch.path());
           for (const std::string &warning : experiment.assembled().warnings)
             t.out << "Warning: " << warning << "\n";
           return xml;

@@ -95,6 +95,7 @@ namespace myolines
     CsvFile csv(folder_of(file), file.filename().string(), {"growth rate [1/s]", "imaginary part [1/s]"});
     for (const auto &w : all)
       csv.row(std::vector<double>{w.real(), w.imag()});
+    csv.close();
   }
 
   void modes_along_command(const ModesAlongOptions &options, std::ostream &out)
@@ -130,5 +131,6 @@ namespace myolines
         values.insert(values.begin(), state.t);
         csv.row(values);
       }
+    csv.close();
   }
 } // namespace myolines

@@ -113,7 +113,7 @@ namespace myolines
                          labels());
         for (const double s : stretches_)
           sheet.row(s, at_all_activations(s, 0));
-        return sheet.picture();
+        return sheet.finish();
       }
 
       study::Picture rate_sheet() const
@@ -123,7 +123,7 @@ namespace myolines
             labels());
         for (const double e : rates_)
           sheet.row(e, at_all_activations(1, e));
-        return sheet.picture();
+        return sheet.finish();
       }
 
       study::Picture base_sheet() const
@@ -132,7 +132,7 @@ namespace myolines
                          {"base material"});
         for (const double s : stretches_)
           sheet.row(s, {law_.base(s)});
-        return sheet.picture();
+        return sheet.finish();
       }
 
       /// All stretches by all rates; the picture has a few rates.
@@ -152,6 +152,7 @@ namespace myolines
         for (const double s : stretches_)
           for (const double e : rates_)
             csv.row(std::vector<double>{s, e, law_.fibre(s, e, 1)});
+        csv.close();
         study::Picture picture;
         picture.name    = name_ + "_surface";
         picture.title   = "Fibre stress of " + name_ + ", fully active";

@@ -20,7 +20,7 @@ namespace myolines
                        base = force.base.fraction * force.base.force(l).value;
           sheet.row(l, {total - inactive, inactive - base, base, total});
         }
-      return sheet.picture();
+      return sheet.finish();
     }
 
     /// The force of all activations against stretch at rest, or against the strain rate at stretch 1.
@@ -40,7 +40,7 @@ namespace myolines
             forces.push_back(of_rate ? force(1, x * force.maximum_strain_rate, a).force : force.isometric(x, a).value);
           sheet.row(x, forces);
         }
-      return sheet.picture();
+      return sheet.finish();
     }
 
     /// Where longer is weaker, chains part.

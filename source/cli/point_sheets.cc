@@ -61,6 +61,12 @@ namespace myolines
       picture_.curves.push_back({column, {}});
   }
 
+  const study::Picture &PointSheet::finish()
+  {
+    csv_.close();
+    return picture_;
+  }
+
   void PointSheet::row(const double x, const std::vector<double> &values)
   {
     std::vector<double> all{x};

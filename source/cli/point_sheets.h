@@ -30,7 +30,8 @@ namespace myolines
     /// One value for each column.
     void row(double x, const std::vector<double> &values);
 
-    const study::Picture &picture() const { return picture_; }
+    /// Closes the table and returns its picture.
+    const study::Picture &finish();
 
   private:
     CsvFile        csv_;

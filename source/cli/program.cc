@@ -107,6 +107,11 @@ namespace myolines
                        "Removes results of another scene, or of this one with other values, from the output folder")
             ->excludes(resume);
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
+        command
+            ->add_option(
+                "--instruction-set", run.instruction_set,
+                "Of the kernels of three-dimensional muscles: baseline, avx2 or avx512; default: the widest that the processor has")
+            ->type_name("NAME");
         add_overrides(command);
       }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
 #include <myolines/cli/resume.h>
-#include <myolines/muscle3d/kernels.h>
 #include <myolines/scene/document.h>
 
 #include <deal.II/base/mpi.h>
@@ -63,11 +62,11 @@ namespace myolines
       throw InputError(problems);
   }
 
-  std::vector<std::string> changes_of_machine(const Checkpoint &checkpoint)
+  std::vector<std::string> changes_of_machine(const Checkpoint &checkpoint, const InstructionSet instruction_set)
   {
     std::vector<std::string> lines;
     const unsigned int       ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-    const std::string        set   = name(widest_instruction_set());
+    const std::string        set   = name(instruction_set);
     if (checkpoint.ranks != ranks)
       lines.push_back("ranks: " + std::to_string(ranks) + " instead of " + std::to_string(checkpoint.ranks));
     if (checkpoint.instruction_set != set)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/checksum.h>
+#include <myolines/base/named_instruction_set.h>
 #include <myolines/base/names.h>
 #include <myolines/base/on_one_rank.h>
 #include <myolines/cli/commands.h>
@@ -58,6 +59,7 @@ namespace myolines
         observers.push_back(output.get());
       const std::clock_t begin = std::clock();
       experiment.run(observers, folder.path, [&] { return signals.noted(); });
+      folder.close();
       experiment.ledger().add_seconds("CPU of the run", static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
 
@@ -83,6 +85,11 @@ namespace myolines
         tables.push_back(file + " (" + join({columns.begin(), columns.end()}) + ")");
       if (!tables.empty())
         out << "Some cells are empty, as there is no such number there: " << join(tables, "; ") << "\n";
+    }
+
+    InstructionSet chosen_set(const RunOptions &options)
+    {
+      return options.instruction_set.empty() ? widest_instruction_set() : instruction_set_named(options.instruction_set);
     }
 
     CheckpointReader open_checkpoint(const std::filesystem::path &folder)
@@ -124,10 +131,10 @@ namespace myolines
     }
 
     /// "after step 4 at t = 0.1 s; ranks: 2 instead of 1".
-    std::string resumed_text(const Checkpoint &checkpoint, const std::vector<std::string> &changed)
+    std::string resumed_text(const Checkpoint &checkpoint, const InstructionSet set, const std::vector<std::string> &changed)
     {
       std::string text = "after step " + std::to_string(checkpoint.step) + " at t = " + exact_text(checkpoint.state.t) + " s";
-      for (const std::string &change : changes_of_machine(checkpoint))
+      for (const std::string &change : changes_of_machine(checkpoint, set))
         text += "; " + change + " (results agree to solver tolerance)";
       for (const std::string &change : changed)
         text += "; " + change;
@@ -157,12 +164,13 @@ namespace myolines
   void run_command(const RunOptions &options, std::ostream &out)
   {
     const StopSignals           signals; // one that comes before the first step ends the run there, with a state to go on from
-    RunRecord                   record{options.command_line, "", iso8601_now(), "", {}, {}};
-    Experiment                  experiment(read_whole_scene(options.scene, options.overrides));
+    RunRecord                   record{options.command_line, "", iso8601_now(), "", {}, {}, ""};
+    Experiment                  experiment(read_whole_scene(options.scene, options.overrides), chosen_set(options));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     const std::string           resolved = scene::resolved_xml(experiment.scene());
     record.scene                         = std::filesystem::absolute(options.scene).string();
     record.inputs                        = experiment.inputs();
+    record.instruction_set               = name(experiment.instruction_set());
     if (writes_files())
       record.inputs[options.scene.string()] = checksum_of_file(options.scene);
 
@@ -174,7 +182,7 @@ namespace myolines
       {
         checkpoint         = read_checkpoint(experiment, options, path);
         const auto changed = changed_inputs(*checkpoint, experiment.inputs());
-        record.resumed     = resumed_text(*checkpoint, changed);
+        record.resumed     = resumed_text(*checkpoint, experiment.instruction_set(), changed);
         for (const std::string &change : changed)
           out << "Warning: " << change << "\n";
         if (checkpoint->state.t == experiment.settings().end && run_is_done(path))

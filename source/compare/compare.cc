@@ -136,6 +136,8 @@ namespace myolines
           for (const FieldDifference &field : fields)
             csv->row(row(second.t, field));
       }
+    if (csv)
+      csv->close();
     out << "L2 norms over the reference body; relative: over the norm of the second.\n";
   }
 } // namespace myolines

@@ -22,7 +22,7 @@ namespace myolines
   } // namespace
 
   VertexStars::VertexStars(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints,
-                           const Constrain &constrain_coarse)
+                           const Constrain &constrain_coarse, const InstructionSet instruction_set)
     : batches_(batches)
     , n1_(element.n_nodes_1d)
     , n_nodes_(element.n_nodes)
@@ -57,7 +57,7 @@ namespace myolines
     else
       constrain(space, constraints);
     find_eliminations(space, constraints);
-    find_stars(space, constraints);
+    find_stars(space, constraints, instruction_set);
     interpolate(space, constraints);
     coarse_matrix_ = std::make_unique<BlockMatrix>(coarse_, batches_, 8, coarse_constraints_);
   }
@@ -141,7 +141,7 @@ namespace myolines
                 }
   }
 
-  void VertexStars::find_stars(const NodeSpace &space, const Constraints &constraints)
+  void VertexStars::find_stars(const NodeSpace &space, const Constraints &constraints, const InstructionSet instruction_set)
   {
     const std::size_t n_cells = std::size_t(batches_.n_batches()) * n_lanes, per_corner = 3 * corner_nodes_[0].size();
     star_.assign(8 * n_cells, -1);
@@ -171,7 +171,7 @@ namespace myolines
                   }
           }
     });
-    patches_ = std::make_unique<PatchMatrices>(stars, space.make_vector());
+    patches_ = std::make_unique<PatchMatrices>(stars, space.make_vector(), instruction_set);
   }
 
   void VertexStars::interpolate(const NodeSpace &space, const Constraints &constraints)

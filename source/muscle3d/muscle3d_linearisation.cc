@@ -215,9 +215,9 @@ namespace myolines
     const Muscle3dDiscretisation &d = discretisation_;
     if (d.element.n_points_1d > d.element.n_nodes_1d)
       lean_ = std::make_unique<LeanCells>(d, parameters_);
-    stars_ =
-        std::make_unique<VertexStars>(*d.space, lean_sweep().batches, lean_sweep().element, d.constraints.lines,
-                                      [this](const NodeSpace &coarse) { return BoundaryConstraints(parameters_.boundary, coarse).lines; });
+    stars_ = std::make_unique<VertexStars>(
+        *d.space, lean_sweep().batches, lean_sweep().element, d.constraints.lines,
+        [this](const NodeSpace &coarse) { return BoundaryConstraints(parameters_.boundary, coarse).lines; }, d.instruction_set);
     two_level_ = std::make_unique<TwoLevel>(TwoLevel{stars_->patches(),
                                                      stars_->interpolation(),
                                                      stars_->coarse_matrix(),

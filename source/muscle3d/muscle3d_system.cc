@@ -11,8 +11,9 @@
 
 namespace myolines
 {
-  Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, const MPI_Comm communicator, WorkLedger &ledger)
-    : Muscle3dSystem(parameters, std::make_shared<Muscle3dDiscretisation>(parameters, communicator), ledger)
+  Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, const MPI_Comm communicator, WorkLedger &ledger,
+                                 const InstructionSet instruction_set)
+    : Muscle3dSystem(parameters, std::make_shared<Muscle3dDiscretisation>(parameters, communicator, instruction_set), ledger)
   {}
 
   Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, std::shared_ptr<Muscle3dDiscretisation> discretisation, WorkLedger &ledger)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/muscle3d/kernels.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
 
@@ -74,7 +73,7 @@ namespace myolines
     if (!keep_every_ || step % *keep_every_ != 0)
       return;
     if (writes_files())
-      std::filesystem::create_directories(kept_state_file(folder_, step).parent_path());
+      make_folder(kept_state_file(folder_, step).parent_path());
     write(state, step, kept_state_file(folder_, step));
   }
 
@@ -83,7 +82,7 @@ namespace myolines
     if (writes_files())
       for (const std::filesystem::path &file : kept_state_files(folder_))
         if (file >= kept_state_file(folder_, step))
-          std::filesystem::remove(file);
+          remove_file(file);
     swept_ = true;
   }
 
@@ -109,7 +108,7 @@ namespace myolines
       checkpoint.scene           = run_.scene;
       checkpoint.inputs          = run_.inputs;
       checkpoint.ranks           = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-      checkpoint.instruction_set = name(widest_instruction_set());
+      checkpoint.instruction_set = run_.instruction_set;
       write_checkpoint(file, checkpoint, run_.system);
     }
     if (file == checkpoint_file(folder_))

@@ -62,8 +62,7 @@ namespace myolines
       on_writing_rank(path_.string(), as_it_was, mend, [&] { go_on(*folder.saved, columns); });
     else
       {
-        if (writes_files())
-          file_.emplace(path_, File::Mode::write_anew);
+        file_ = folder.open(name, File::Mode::write_anew);
         write(columns);
       }
   }
@@ -79,7 +78,7 @@ namespace myolines
     size_ = static_cast<std::size_t>(saved.number(bytes_of + name_));
     text.resize(size_);
     checksum_.add(text);
-    file_.emplace(path_, File::Mode::write);
+    file_ = folder_.open(name_, File::Mode::write);
     file_->resize(size_);
   }
 
@@ -111,6 +110,12 @@ namespace myolines
       throw std::logic_error(path_.string() + " has " + std::to_string(columns_.size()) + " columns, a row of " +
                              std::to_string(texts.size()) + " does not fit");
     write(texts);
+  }
+
+  void CsvFile::close()
+  {
+    if (file_)
+      file_->close();
   }
 
   void CsvFile::write(const std::vector<std::string> &texts)

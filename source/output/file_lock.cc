@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -30,12 +31,30 @@ namespace myolines
   } // namespace
 
   FileLock::FileLock(const std::filesystem::path &file, const Kind kind, const std::string &holder)
-    : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666))
+    : file_(file)
+  {
+    lock(kind, holder);
+    while (!is_in_place()) // who had it has removed the file between the opening and the lock
+      {
+        close(descriptor_);
+        lock(kind, holder);
+      }
+  }
+
+  FileLock::~FileLock()
+  {
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && is_in_place()) // nobody shares it
+      unlink(file_.c_str());
+    close(descriptor_);
+  }
+
+  void FileLock::lock(const Kind kind, const std::string &holder)
   {
     const auto refuse = [&](const std::string &what) {
-      throw InputError(InputProblem{file.string(), what, "a folder into which nothing else writes",
+      throw InputError(InputProblem{file_.string(), what, "a folder into which nothing else writes",
                                     "wait for its end, or choose another folder with --out"});
     };
+    descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0)
       refuse(std::string("cannot be written: ") + std::strerror(errno));
     if (flock(descriptor_, (kind == Kind::shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0)
@@ -53,5 +72,13 @@ namespace myolines
       }
   }
 
-  FileLock::~FileLock() { close(descriptor_); }
+  /// Whether the name still leads to the file that is open here.
+  bool FileLock::is_in_place() const
+  {
+    struct stat named
+    {
+    }, opened{};
+    return stat(file_.c_str(), &named) == 0 && fstat(descriptor_, &opened) == 0 && named.st_dev == opened.st_dev &&
+           named.st_ino == opened.st_ino;
+  }
 } // namespace myolines

@@ -110,6 +110,7 @@ namespace myolines
               values.insert(values.end(), {force[0], force[1], force[2]});
             csv.row(values);
           }
+        csv.close();
         steps_.push_back(static_cast<double>(step));
       }
 
@@ -132,7 +133,7 @@ namespace myolines
         if (writes_files())
           for (const auto &entry : std::filesystem::directory_iterator(folder_))
             if (const std::string name = entry.path().filename().string(); name.rfind("force_data-3d-", 0) == 0 && known.count(name) == 0)
-              std::filesystem::remove(entry.path());
+              remove_file(entry.path());
       }
 
       static constexpr const char *memory = "steps with force_data-3d-NNN.csv";
@@ -155,7 +156,7 @@ namespace myolines
   {
     const PeerParts            parts(system.parameters());
     const dealii::Tensor<1, 3> along = system.line_of_action().line.value().direction;
-    std::vector<std::string> columns{"Time [s]"};
+    std::vector<std::string>   columns{"Time [s]"};
     for (const std::string &part : parts.names("Apo"))
       columns.push_back(part + " [N]");
     columns.push_back("Volume [m^3]");

@@ -19,10 +19,32 @@ namespace myolines
     return made;
   }
 
+  OutputFolder OutputFolder::nowhere()
+  {
+    OutputFolder made("");
+    made.list_->nowhere = true;
+    return made;
+  }
+
   std::filesystem::path OutputFolder::file(const std::string &name) const
   {
     note(name);
     return path / name;
+  }
+
+  std::shared_ptr<File> OutputFolder::open(const std::string &name, const File::Mode mode) const
+  {
+    const std::filesystem::path place = file(name);
+    if (list_->nowhere || !writes_files())
+      return nullptr;
+    list_->open.push_back(std::make_shared<File>(place, mode));
+    return list_->open.back();
+  }
+
+  void OutputFolder::close() const
+  {
+    for (const std::shared_ptr<File> &file : list_->open)
+      file->close();
   }
 
   void OutputFolder::note(const std::string &pattern) const

@@ -55,6 +55,27 @@ namespace myolines
                       "remove them, or choose another folder with --out");
       return manifest ? manifest->files : std::set<std::string>();
     }
+
+    /// Of a run that goes on. Its checkpoint says that the folder is ours: a manifest that the end of a machine has emptied or halved tells
+    /// nothing, and is written anew.
+    std::set<std::string> files_known_before(const std::filesystem::path &folder)
+    {
+      try
+        {
+          return files_of(folder);
+        }
+      catch (const InputError &)
+        {
+          return {};
+        }
+    }
+
+    /// Files of every run; outputs note their own.
+    void note_own_files(const OutputFolder &outputs)
+    {
+      for (const char *name : {"ledger.json", "run.log", "steps.csv", "checkpoint", "states/state-*", resolved_name, "manifest.json"})
+        outputs.note(name);
+    }
   } // namespace
 
   RunFolder::RunFolder(std::filesystem::path folder)
@@ -67,7 +88,6 @@ namespace myolines
       std::filesystem::create_directories(path_);
       if (!std::filesystem::is_directory(path_))
         throw std::runtime_error("it is a file, not a folder");
-      read_manifest(path_); // before anything is written there
       lock_.emplace(path_ / lock_name, FileLock::Kind::exclusive, "another run");
     });
   }
@@ -84,9 +104,7 @@ namespace myolines
       move_old_results();
     });
     const OutputFolder outputs = OutputFolder::with_foreign_files(path_);
-    for (const char *name : {"ledger.json", "run.log", "steps.csv", "checkpoint", "states/state-*", resolved_name})
-      outputs.note(name);
-    outputs.note("manifest.json");
+    note_own_files(outputs);
     write_manifest(outputs, record, "running");
     replace_file(outputs.file(resolved_name), resolved);
     return outputs;
@@ -95,8 +113,9 @@ namespace myolines
   OutputFolder RunFolder::resume(const std::string &resolved, const Archive &saved) const
   {
     const OutputFolder outputs(path_, &saved);
+    note_own_files(outputs);
     collectively(path_, [&] {
-      for (const std::string &name : files_of(path_))
+      for (const std::string &name : files_known_before(path_))
         outputs.note(name);
       replace_file(outputs.file(resolved_name), resolved);
     });
@@ -109,7 +128,8 @@ namespace myolines
     return files_of(path_).count(resolved_name) > 0 && std::filesystem::exists(scene) && read_file(scene) != resolved;
   }
 
-  /// Names relative to the folder; the manifest is the last: whoever is killed before it goes leaves a folder that is known as ours.
+  /// Names relative to the folder. The last ones are the resolved scene and the manifest: whoever is killed before leaves a folder that is
+  /// known as ours, with results that are known as those of other values.
   std::vector<std::filesystem::path> RunFolder::old_results() const
   {
     const auto files = files_of(path_);
@@ -122,10 +142,11 @@ namespace myolines
       if (std::filesystem::is_directory(path_ / inside))
         for (const auto &entry : std::filesystem::directory_iterator(path_ / inside))
           if (const auto name = inside / entry.path().filename();
-              entry.is_regular_file() && name != lock_name && name != "manifest.json" && old(name.string()))
+              entry.is_regular_file() && name != lock_name && name != resolved_name && name != "manifest.json" && old(name.string()))
             all.push_back(name);
-    if (old("manifest.json"))
-      all.push_back("manifest.json");
+    for (const char *last : {resolved_name, "manifest.json"})
+      if (old(last) && std::filesystem::exists(path_ / last))
+        all.push_back(last);
     return all;
   }
 

@@ -64,11 +64,9 @@ namespace myolines
     , begin_(std::chrono::steady_clock::now())
   {
     const std::filesystem::path file = folder.file("run.log");
-    if (!writes_files())
-      return;
-    if (folder.saved == nullptr)
+    if (folder.saved == nullptr && writes_files())
       write_file(file, "");
-    log_.emplace(file, File::Mode::append);
+    log_ = folder.open("run.log", File::Mode::append);
   }
 
   void Status::begin(const State &state)

@@ -30,6 +30,22 @@ namespace myolines
       throw SystemError("write", file, refused.value());
   }
 
+  void make_folder(const std::filesystem::path &folder)
+  {
+    std::error_code refused;
+    std::filesystem::create_directories(folder, refused);
+    if (refused)
+      throw SystemError("make", folder, refused.value());
+  }
+
+  void remove_file(const std::filesystem::path &file)
+  {
+    std::error_code refused;
+    std::filesystem::remove(file, refused);
+    if (refused)
+      throw SystemError("remove", file, refused.value());
+  }
+
   void sync_to_disk(const std::filesystem::path &file) { File(file, File::Mode::read).sync(); }
 
   namespace

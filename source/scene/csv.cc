@@ -119,6 +119,20 @@ namespace myolines::scene
                                       "there are numbers where the names of the columns should be",
                                       "names in the first line that is no comment, such as \"Time [s]\"", ""});
     }
+
+    /// A file whose header announces another size has lost some of its table, or was edited by hand.
+    void refuse_other_size(const CsvTable &table, const TableText &text)
+    {
+      const auto require = [&](const std::optional<int> &announced, const std::size_t found, const std::string &what) {
+        if (announced && static_cast<std::size_t>(*announced) != found)
+          throw InputError(
+              InputProblem{table.file.string(),
+                           "its header announces " + std::to_string(*announced) + " " + what + ", there are " + std::to_string(found),
+                           "as many as announced", "take the whole file, or correct the number in its header"});
+      };
+      require(text.columns, table.header.size(), "columns");
+      require(text.rows, table.rows.size(), "rows");
+    }
   } // namespace
 
   std::optional<std::size_t> CsvTable::column(const std::string &name) const
@@ -191,6 +205,7 @@ namespace myolines::scene
             text.separator == ',' && n > n_names ? "decimal commas cannot be told from commas between fields: separate fields by "
                                                    "semicolons or tabs, or write decimal points"
                                                  : ""});
+    refuse_other_size(table, text);
     if (text.separator != ',')
       replace_decimal_commas(table);
     return table;

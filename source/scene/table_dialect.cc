@@ -77,6 +77,26 @@ namespace myolines::scene
       return text;
     }
 
+    /// What a line of @p header says after one of @p names: "nRows=12", or, in older files, "datarows 12".
+    std::optional<int> announced(const std::vector<std::string> &header, const std::vector<std::string> &names,
+                                 const std::filesystem::path &file)
+    {
+      for (std::size_t i = 0; i < header.size(); ++i)
+        {
+          const std::size_t end = header[i].find_first_of("= \t");
+          if (end == std::string::npos || std::find(names.begin(), names.end(), header[i].substr(0, end)) == names.end())
+            continue;
+          const std::size_t begin = header[i].find_first_not_of("= \t", end);
+          const std::string text  = begin == std::string::npos ? "" : trimmed(header[i].substr(begin));
+          const auto        count = parse_integer(text);
+          if (!count || *count < 0)
+            throw InputError(InputProblem{file.string() + ", line " + std::to_string(i + 1),
+                                          "\"" + text + "\" after \"" + header[i].substr(0, end) + "\"", "how many there are", ""});
+          return count;
+        }
+      return std::nullopt;
+    }
+
     char separator_of(const std::string &names, const std::string &values, const std::string &where)
     {
       std::string present, fitting;
@@ -122,11 +142,16 @@ namespace myolines::scene
       for (std::size_t i = begin; i < lines.size(); ++i)
         lines[i] = words_with_tabs(lines[i]);
     if (opensim)
-      return {join_lines(lines, begin), number, '\t'};
+      {
+        const std::vector<std::string> header(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(begin));
+        return {join_lines(lines, begin), number, '\t', announced(header, {"nRows", "datarows"}, file),
+                announced(header, {"nColumns", "datacolumns"}, file)};
+      }
     std::size_t values = begin + 1;
     while (values < lines.size() && (trimmed(lines[values]).empty() || is_comment(lines[values])))
       ++values;
     return {join_lines(lines, begin), number,
-            separator_of(lines[begin], values < lines.size() ? lines[values] : "", file.string() + ", line " + std::to_string(number))};
+            separator_of(lines[begin], values < lines.size() ? lines[values] : "", file.string() + ", line " + std::to_string(number)),
+            std::nullopt, std::nullopt};
   }
 } // namespace myolines::scene

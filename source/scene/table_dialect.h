@@ -13,12 +13,14 @@ namespace myolines::scene
     std::string  text;
     unsigned int line      = 1;   ///< of the names in the file
     char         separator = ','; ///< comma, semicolon or tab
+
+    std::optional<int> rows, columns; ///< that the header of a file of OpenSim announces, times among the columns
   };
 
   /// The table in @p text: without blank and comment lines (#, %) in front, and without the header of OpenSim's files, which ends with the
-  /// line "endheader"; their blanks become tabs. The separator is that of the names; where they hold several, that one which cuts the first
-  /// line of values into as many fields as the names, each of them a number or without another separator. @throws InputError where that is
-  /// none or more than one.
+  /// line "endheader" and may announce the size of the table; their blanks become tabs. The separator is that of the names; where they hold
+  /// several, that one which cuts the first line of values into as many fields as the names, each of them a number or without another
+  /// separator. @throws InputError where that is none or more than one.
   TableText find_table(const std::string &text, const std::filesystem::path &file);
 
   /// "0,5" or "-1,5e-3" with a point for the comma; nothing for other cells.

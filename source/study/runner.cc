@@ -54,11 +54,24 @@ namespace myolines::study
                                                                                                  : "";
     }
 
-    /// Removes what an earlier run of a case left. @throws InputError if the folder is not of one.
+    /// A manifest that the end of a machine has emptied or halved does not say whose the folder is.
+    bool has_manifest(const std::filesystem::path &folder)
+    {
+      try
+        {
+          return read_manifest(folder).has_value();
+        }
+      catch (const InputError &)
+        {
+          return false;
+        }
+    }
+
+    /// Removes what an earlier run of a case left. @throws InputError if the folder is not of one: every case has a console there.
     void clear_case(const std::filesystem::path &folder)
     {
       std::error_code none;
-      if (std::filesystem::is_directory(folder, none) && !read_manifest(folder))
+      if (std::filesystem::is_directory(folder, none) && !std::filesystem::exists(folder / "console.txt") && !has_manifest(folder))
         for (const auto &entry : std::filesystem::directory_iterator(folder))
           if (const std::string name = entry.path().filename().string(); name != "console.txt" && name != "run.lock")
             throw InputError(InputProblem{entry.path().string(), "this file is not of a run, and a case of the study would go here",

@@ -91,6 +91,7 @@ namespace myolines::study
           cells.push_back(notes(study, row));
           file.row(cells);
         }
+      file.close();
     }
 
     void write_seconds_csv(const Study &study, const std::vector<Row> &rows, const std::filesystem::path &folder)
@@ -109,6 +110,7 @@ namespace myolines::study
                 cells.push_back(cell(row.values[q]));
             file.row(cells);
           }
+      file.close();
     }
 
     std::vector<Result> results_of(const Study &study, const std::vector<Row> &rows)
@@ -269,6 +271,7 @@ namespace myolines::study
                      {study.view.curves, study.view.work, "at most", "over the cheapest", "notes"});
         for (const EqualError &cost : equal_error(study, rows))
           file.row({cost.method, cell(cost.work), cell(cost.at_most), cell(cost.ratio), cost.work.note});
+        file.close();
       }
     database.replace_results(results_of(study, rows));
   }

@@ -186,6 +186,7 @@ namespace myolines::study
                   cell_of(halving ? halving->cpu_seconds : std::nullopt), cell_of(scene.outcome.cpu_seconds), drift});
           file.row(cells);
         }
+      file.close();
     }
 
     /// The value that the run has for a quantity; none if it is not done.
@@ -211,6 +212,7 @@ namespace myolines::study
             cells.push_back(cell_of(value_of(run, found)));
           file.row(cells);
         }
+      file.close();
     }
   } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
 #include <myolines/base/lanes.h>
+#include <myolines/base/named_instruction_set.h>
 #include <myolines/base/names.h>
 
 #include <gtest/gtest.h>
@@ -75,6 +76,29 @@ namespace myolines
           const double s = x[lane];
           EXPECT_DOUBLE_EQ(z[lane], s < 0 ? std::sin(s) * 2 - std::cbrt(2.) : std::cos(s) / 2 + std::sqrt(2.));
         }
+    }
+
+    TEST(InstructionSets, AreNamedIfTheProcessorHasThem)
+    {
+      EXPECT_EQ(instruction_set_named("baseline"), InstructionSet::baseline);
+      const auto complaint = [](const char *word) -> std::string {
+        try
+          {
+            instruction_set_named(word);
+          }
+        catch (const InputError &error)
+          {
+            return error.what();
+          }
+        return "";
+      };
+      EXPECT_NE(complaint("avx3").find("there is no \"avx3\""), std::string::npos);
+      for (const auto &[word, set] :
+           {std::pair<const char *, InstructionSet>{"avx2", InstructionSet::avx2}, {"avx512", InstructionSet::avx512}})
+        if (set <= widest_instruction_set())
+          EXPECT_EQ(instruction_set_named(word), set);
+        else
+          EXPECT_NE(complaint(word).find(std::string("this processor does not have ") + word), std::string::npos) << complaint(word);
     }
   } // namespace
 } // namespace myolines

@@ -4,7 +4,6 @@
 #include <myolines/base/checksum.h>
 #include <myolines/base/error.h>
 #include <myolines/base/files.h>
-#include <myolines/base/scratch_folder.h>
 
 #include <gtest/gtest.h>
 
@@ -93,17 +92,6 @@ namespace myolines
             "c",
             "ab\x80", "ab\xc3", "ab\xe2\x82", "ab\xc0\xaf", "ab\xe0\x80\xaf", "ab\xed\xa0\x80", "ab\xf4\x90\x80\x80", "ab\xff"})
         EXPECT_EQ(first_not_utf8(bad), 2u) << bad;
-    }
-
-    TEST(ScratchFolder, VanishesWithWhatIsInIt)
-    {
-      std::filesystem::path path;
-      {
-        const ScratchFolder scratch;
-        path = scratch.path();
-        write_file(path / "x", "x");
-      }
-      EXPECT_FALSE(std::filesystem::exists(path));
     }
   } // namespace
 } // namespace myolines

@@ -10,6 +10,22 @@
 
 using namespace myolines;
 
+namespace
+{
+  /// All numbers of a table of them, row by row, without its header.
+  std::vector<double> read_numbers(const std::filesystem::path &table)
+  {
+    std::ifstream file(table);
+    std::string   cell;
+    std::getline(file, cell);
+    std::vector<double> numbers;
+    for (std::string line; std::getline(file, line);)
+      for (std::istringstream cells(line); std::getline(cells, cell, ',');)
+        numbers.push_back(std::stod(cell));
+    return numbers;
+  }
+} // namespace
+
 TEST(Run, WritesItsFolderAndSaysWhere)
 {
   const TestFolder folder;
@@ -21,6 +37,34 @@ TEST(Run, WritesItsFolderAndSaysWhere)
     EXPECT_TRUE(std::filesystem::exists(folder / "results/swing" / file)) << file;
   EXPECT_NE(contents(folder / "results/swing/manifest.json").find("\"exit reason\": \"done\""), std::string::npos);
   EXPECT_NE(contents(folder / "results/swing/ledger.json").find("\"CPU of the run\""), std::string::npos);
+}
+
+/// On every processor that there is, the narrowest kernels do; forces of the widest agree to the tolerance of the solvers.
+TEST(Run, HasTheKernelsThatItIsAskedFor)
+{
+  const TestFolder folder;
+  folder.write("muscle.xml", muscle_scene);
+  ASSERT_EQ(run_program(folder, "run muscle.xml --quiet --out narrow --set time/end=0.02 --instruction-set baseline").exit_code, 0);
+  EXPECT_NE(contents(folder / "narrow/manifest.json").find("\"instruction set\": \"baseline\""), std::string::npos);
+  EXPECT_NE(contents(folder / "narrow/checkpoint").find("\"instruction set\": \"baseline\""), std::string::npos);
+  const Outcome resumed = run_program(folder, "run muscle.xml --quiet --out narrow --resume");
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+  ASSERT_EQ(run_program(folder, "run muscle.xml --quiet --out widest").exit_code, 0);
+  const auto [of_narrow, of_widest] = std::pair(read_numbers(folder / "narrow/reaction.csv"), read_numbers(folder / "widest/reaction.csv"));
+  ASSERT_EQ(of_narrow.size(), of_widest.size());
+  for (std::size_t i = 0; i < of_widest.size(); ++i)
+    EXPECT_NEAR(of_narrow[i], of_widest[i], 1e-6 * (1 + std::abs(of_widest[i])));
+  const InstructionSet widest = widest_instruction_set();
+  if (widest != InstructionSet::baseline)
+    {
+      EXPECT_NE(contents(folder / "narrow/manifest.json").find(std::string("instruction set: ") + name(widest) + " instead of baseline"),
+                std::string::npos);
+    }
+  const Outcome unknown = run_program(folder, "run muscle.xml --out unknown --instruction-set sse9");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("there is no \"sse9\""), std::string::npos) << unknown.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "unknown"));
+  EXPECT_EQ(run_program(folder, "run muscle.xml --out wide --instruction-set avx512").exit_code, widest == InstructionSet::avx512 ? 0 : 2);
 }
 
 /// u = 1, v = 0 of u'' + u = 0: backward Euler leaves 1/(1 + h^2) of the energy in every step.

@@ -77,6 +77,20 @@ TEST(SystemRefuses, HdfFilesAndFields)
     }
 }
 
+TEST(SystemRefuses, ARunWhoseFolderGoes)
+{
+  const Faulty      folder;
+  const std::string command = "cd '" + folder.path().string() + "' && { '" + myolines::test::program_file() + "' " + long_run +
+                              "gone > out.txt 2> err.txt < /dev/null & p=$!; "
+                              "while [ $(cat gone/steps.csv 2> nothing.txt | wc -l) -lt 3 ]; do sleep 0.01; done; rm -r gone; wait $p; }";
+  const int status = std::system(command.c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 4) << folder.text("err.txt");
+  EXPECT_TRUE(has(folder.text("err.txt"), "The system refused: cannot ")) << folder.text("err.txt");
+  EXPECT_TRUE(has(folder.text("err.txt"), "No such file or directory, after step ")) << folder.text("err.txt");
+  EXPECT_FALSE(folder.is_there("gone"));
+}
+
 TEST(SystemRefuses, MoreMemoryThanTheBatchJobHas)
 {
   const Faulty  folder;
@@ -140,6 +154,18 @@ TEST(RunFolders, ResultsOfAnotherSceneNeedToBeOverwritten)
   EXPECT_EQ(folder.text("out/trajectory.csv"), before);
   ASSERT_EQ(run_program(folder, "run other.xml --out out --quiet --set system/mass=3 --overwrite").exit_code, 0);
   EXPECT_NE(folder.text("out/trajectory.csv"), before);
+}
+
+TEST(RunFolders, ARunThatIsRefusedLeavesNothing)
+{
+  const Faulty  folder;
+  const Outcome outside = run_program(folder, "run muscle.xml --out out --set \"output/series/markers=far 1 1 1\"");
+  EXPECT_EQ(outside.exit_code, 2) << "what an output refuses";
+  EXPECT_FALSE(folder.is_there("out")) << outside.err;
+  ASSERT_EQ(run_program(folder, "run swing.xml --out out --quiet").exit_code, 0);
+  EXPECT_FALSE(folder.is_there("out/run.lock")) << "nor does a run that is done";
+  EXPECT_EQ(run_program(folder, "run muscle.xml --out out").exit_code, 2) << "another scene";
+  EXPECT_FALSE(folder.is_there("out/run.lock"));
 }
 
 TEST(RunFolders, ResultsOfTheSameSceneWithOtherValuesAreKeptAside)

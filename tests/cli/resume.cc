@@ -123,6 +123,30 @@ TEST(Resume, WithoutACheckpointSaysWhatItLookedFor)
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST(Resume, AManifestThatTheEndOfAMachineHasEmptiedIsWrittenAnew)
+{
+  const Folder folder;
+  ASSERT_EQ(folder.run("swing", "whole").exit_code, 0);
+  ASSERT_EQ(folder.run("swing", "part", "--set time/end=0.4").exit_code, 0);
+  const std::string manifest = folder.text("part/manifest.json");
+  for (const std::string &left : {std::string(), manifest.substr(0, manifest.size() / 2), std::string("{}"), std::string(300, '\0')})
+    {
+      std::filesystem::copy(folder / "part", folder / "again", std::filesystem::copy_options::recursive);
+      folder.write("again/manifest.json", left);
+      const Outcome anew = folder.run("swing", "again", "--overwrite");
+      EXPECT_EQ(anew.exit_code, 2) << "whose the files are is not known";
+      EXPECT_EQ(folder.text("again/manifest.json"), left);
+      EXPECT_FALSE(std::filesystem::exists(folder / "again/run.lock"));
+      const Outcome resumed = folder.run("swing", "again", "--resume");
+      ASSERT_EQ(resumed.exit_code, 0) << resumed.err;
+      EXPECT_EQ(folder.text("again/trajectory.csv"), folder.text("whole/trajectory.csv"));
+      for (const char *listed : {"trajectory.csv", "checkpoint", "\"done\""})
+        EXPECT_NE(folder.text("again/manifest.json").find(listed), std::string::npos) << listed;
+      ASSERT_EQ(folder.run("swing", "again", "--overwrite").exit_code, 0) << "the folder is known again";
+      std::filesystem::remove_all(folder / "again");
+    }
+}
+
 TEST(Resume, RefusesAnotherRunNamingWhatDiffers)
 {
   const Folder folder;

@@ -13,11 +13,11 @@ import pathlib
 import random
 import re
 import shutil
-import socket
-import struct
-import subprocess
 import sys
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
+from command_server import CommandServer  # noqa: E402
 
 AWKWARD = [b"nan", b"inf", b"-inf", b"1e308", b"-1e308", b"1e-320", b"0", b"-1", b"1", b"4294967296", b"-9223372036854775809", b"99999999999999999999",
            b"", b" ", b"\t", b"\n", b"\r\n", b"\0", b"\xef\xbb\xbf", b"\xff\xfe", b"\xc3\x28", b"%s%n", b"../../..", b"/dev/zero", b"$(true)", b"'", b'"', b"<", b">",
@@ -85,24 +85,6 @@ def mutated(data, others, generator):
             begin, end = separated(data, generator)
             data = data[:begin] + generator.choice(AWKWARD) + data[end:]
     return data
-
-
-class Server:
-    def __init__(self, program):
-        self.ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self.process = subprocess.Popen([program], stdin=theirs)
-        theirs.close()
-
-    def run(self, folder, words):
-        self.ours.send(b"".join(str(word).encode() + b"\0" for word in [folder, *words]))
-        answer = self.ours.recv(4)
-        if len(answer) != 4:
-            sys.exit("the server of the fuzzer has ended")
-        return struct.unpack("i", answer)[0]
-
-    def close(self):
-        self.ours.close()
-        self.process.wait()
 
 
 def meaning(code):
@@ -192,7 +174,7 @@ def targets(source, scratch, server):
     made.mkdir(parents=True)
 
     def must(folder, *words):
-        if server.run(folder, words) != 0:
+        if server.ask(folder, *words) != 0:
             sys.exit(f"the fuzzer cannot make its seeds: {words}: {(folder / 'err.txt').read_text(errors='replace')}")
 
     scenes = [source / "input" / name for name in ("oscillator.xml", "rod_linear.xml", "one_dimensional/muscle_tendon_unit.xml",
@@ -278,7 +260,7 @@ def fuzz(target, count, seed, scratch, server):
         if target.prepare:
             target.prepare(folder, name)
         (folder / name).write_bytes(data)
-        return server.run(folder, target.command(name))
+        return server.ask(folder, *target.command(name))
 
     for name, data in target.seeds:
         if run(name, data) != 0:
@@ -310,7 +292,7 @@ def main():
     arguments = parser.parse_args()
     scratch = arguments.scratch.resolve()
     shutil.rmtree(scratch, ignore_errors=True)
-    server = Server(arguments.server)
+    server = CommandServer(arguments.server)
     n_faults = n_inputs = 0
     for target in targets(arguments.source.resolve(), scratch, server):
         if arguments.target and target.name not in arguments.target:

@@ -54,7 +54,8 @@ namespace
   void serve(int argc, char **argv)
   {
     const rlimit limit{largest, largest}, no_core{0, 0};
-    setrlimit(RLIMIT_AS, &limit);
+    if (std::getenv("ASAN_OPTIONS") == nullptr) // which takes terabytes of addresses and watches over memory itself
+      setrlimit(RLIMIT_AS, &limit);
     setrlimit(RLIMIT_CORE, &no_core);
     myolines::MpiSession mpi(argc, argv);
     mpi.start();

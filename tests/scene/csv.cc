@@ -90,6 +90,28 @@ namespace
       }
   }
 
+  TEST_F(CsvInput, AHeaderThatAnnouncesAnotherSizeIsRefused)
+  {
+    const auto complaint = [this](const std::string &header) -> std::string {
+      try
+        {
+          read(header + "endheader\ntime\tsoleus_r\n0.00\t0.1\n0.01\t0.2\n0.02\t0.3\n");
+        }
+      catch (const InputError &error)
+        {
+          return error.what();
+        }
+      return "";
+    };
+    for (const char *right : {"", "nRows=3\nnColumns=2\n", "datarows 3\ndatacolumns 2\n", "nRows = 3\n", "name nRows=7\n"})
+      EXPECT_EQ(complaint(right), "") << right;
+    for (const char *rows : {"nRows=4\n", "datarows 2\n", "nRows=0\nnColumns=2\n"})
+      EXPECT_NE(complaint(rows).find(" rows, there are 3"), std::string::npos) << rows << complaint(rows);
+    for (const char *columns : {"nRows=3\nnColumns=1\n", "datacolumns 3\n"})
+      EXPECT_NE(complaint(columns).find(" columns, there are 2"), std::string::npos) << columns << complaint(columns);
+    EXPECT_NE(complaint("nRows=many\n").find("line 1: \"many\" after \"nRows\""), std::string::npos);
+  }
+
   TEST_F(CsvInput, WhatMayBeReadInSeveralWaysIsRefused)
   {
     const auto complaint = [this](const std::string &text) -> std::string {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/base/lanes.h>
 #include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/ledger.h>
@@ -65,14 +66,14 @@ namespace myolines
   /// What a kind of system brings to scenes, help and templates.
   struct SystemEntry
   {
-    std::string                                                       name;     ///< value of system/type
-    scene::Schema                                                     schema;   ///< of the list `system`
-    scene::Schema                                                     output;   ///< of the list `output`
-    std::vector<scene::Setting>                                       example;  ///< a small scene, without the integrator
-    std::vector<SystemVariant>                                        variants; ///< what methods may take or not, the example itself first
-    std::function<AssembledSystem(const scene::Node &, WorkLedger &)> make;
-    std::function<SizeEstimate(const scene::Node &, unsigned int ranks)> size;
-    MeshParameters                                                       mesh;
+    std::string                 name;     ///< value of system/type
+    scene::Schema               schema;   ///< of the list `system`
+    scene::Schema               output;   ///< of the list `output`
+    std::vector<scene::Setting> example;  ///< a small scene, without the integrator
+    std::vector<SystemVariant>  variants; ///< what methods may take or not, the example itself first
+    std::function<AssembledSystem(const scene::Node &, WorkLedger &, InstructionSet)> make; ///< kernels of that set, where it has some
+    std::function<SizeEstimate(const scene::Node &, unsigned int ranks)>              size;
+    MeshParameters                                                                    mesh;
   };
 
   /// All systems, in the order of `myolines list systems`. A new system is one more entry here.

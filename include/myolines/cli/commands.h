@@ -26,6 +26,7 @@ namespace myolines
     bool                     overwrite = false;      ///< results of other scenes in the folder go
     std::string              program   = "myolines"; ///< as it was called, for hints
     std::string              command_line;           ///< for the manifest
+    std::string              instruction_set;        ///< of the cell kernels; empty: the widest that the processor has
   };
   void run_command(const RunOptions &options, std::ostream &out);
 

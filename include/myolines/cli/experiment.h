@@ -14,16 +14,18 @@
 
 namespace myolines
 {
-  /// Everything a run needs, built from a validated scene; what ranges cannot express is refused here (InputError).
+  /// Everything a run needs, built from a validated scene; what ranges cannot express is refused here (InputError),
+  /// also what outputs cannot do.
   class Experiment
   {
   public:
-    explicit Experiment(scene::Node scene);
+    explicit Experiment(scene::Node scene, InstructionSet instruction_set = widest_instruction_set());
 
     const scene::Node     &scene() const { return scene_; }
     const AssembledSystem &assembled() const { return assembled_; }
     MethodFacts            method() const { return facts_with(method_, scene_.section("integrator")); }
     const LoopSettings    &settings() const { return settings_; }
+    InstructionSet         instruction_set() const { return instruction_set_; }
 
     /// How linear systems are solved, in words.
     const std::vector<std::string> &solver_plan() const { return solver_plan_; }
@@ -67,12 +69,13 @@ namespace myolines
     void                             refuse_tiny_steps() const;
     std::vector<const scene::Node *> intervals() const;
 
-    void                  make_method();
-    int                   stop_signal() const; ///< the same on all ranks
-    TimeMethod           &time_method() const;
-    void                  find_equilibrium(State &state);
+    void        make_method();
+    int         stop_signal() const; ///< the same on all ranks
+    TimeMethod &time_method() const;
+    void        find_equilibrium(State &state);
 
     scene::Node                          scene_;
+    const InstructionSet                 instruction_set_; ///< of the cell kernels
     std::map<std::string, std::string>   inputs_;
     WorkLedger                           ledger_;
     AssembledSystem                      assembled_;

@@ -12,5 +12,5 @@ namespace myolines
   void refuse_other_run(const std::string &saved, const std::string &now, const std::string &scene_file);
 
   /// What is not as it was when @p checkpoint was written and costs the resumed run its bit-equality; a line each.
-  std::vector<std::string> changes_of_machine(const Checkpoint &checkpoint);
+  std::vector<std::string> changes_of_machine(const Checkpoint &checkpoint, InstructionSet instruction_set);
 } // namespace myolines

@@ -32,7 +32,7 @@ namespace myolines
     using Constrain = std::function<Constraints(const NodeSpace &coarse)>;
 
     VertexStars(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints,
-                const Constrain &constrain_coarse = {});
+                const Constrain &constrain_coarse = {}, InstructionSet instruction_set = widest_instruction_set());
 
     /// Sets all matrices to zero.
     void clear();
@@ -75,7 +75,7 @@ namespace myolines
     /// The node of a cell at a corner.
     int  vertex_node(const int corner) const { return (n1_ - 1) * ((corner & 1) + n1_ * ((corner >> 1 & 1) + n1_ * (corner >> 2))); }
     void constrain(const NodeSpace &space, const Constraints &constraints);
-    void find_stars(const NodeSpace &space, const Constraints &constraints);
+    void find_stars(const NodeSpace &space, const Constraints &constraints, InstructionSet instruction_set);
     /// Eliminates unknowns that depend on others of their node.
     void find_eliminations(const NodeSpace &space, const Constraints &constraints);
     bool has_eliminations(const unsigned int b) const

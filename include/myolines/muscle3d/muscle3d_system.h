@@ -32,7 +32,8 @@ namespace myolines
   class Muscle3dSystem : public SemiDiscreteSystem
   {
   public:
-    Muscle3dSystem(Muscle3dParameters parameters, MPI_Comm communicator, WorkLedger &ledger);
+    Muscle3dSystem(Muscle3dParameters parameters, MPI_Comm communicator, WorkLedger &ledger,
+                   InstructionSet instruction_set = widest_instruction_set());
     ~Muscle3dSystem() override;
 
     Capabilities       capabilities() const override;

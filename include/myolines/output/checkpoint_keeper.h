@@ -21,10 +21,11 @@ namespace myolines
     const StepControl                 *control; ///< or none: the integrator chooses its steps
     const std::vector<Observer *>     &observers;
     WorkLedger                        &ledger;
-    std::string                        scene;       ///< every value in force
-    std::map<std::string, std::string> inputs;      ///< see Checkpoint
-    std::function<void()>              forget;      ///< drops what solvers keep from step to step
-    std::function<int()>               stop_signal; ///< the signal that asks the run to stop, the same on all ranks; 0: none has come
+    std::string                        scene;           ///< every value in force
+    std::map<std::string, std::string> inputs;          ///< see Checkpoint
+    std::string                        instruction_set; ///< of the cell kernels
+    std::function<void()>              forget;          ///< drops what solvers keep from step to step
+    std::function<int()>               stop_signal;     ///< the signal that asks the run to stop, the same on all ranks; 0: none has come
   };
 
   /// Saves a run where its list `checkpoint` says so, where a signal stops it, and where it ends.

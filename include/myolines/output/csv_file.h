@@ -5,7 +5,7 @@
 #include <myolines/base/files.h>
 #include <myolines/output/output_folder.h>
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +29,9 @@ namespace myolines
     /// One text per column; quoted where a comma, quote or line break asks for it (RFC 4180).
     void row(const std::vector<std::string> &texts);
 
+    /// After the last row of a table that no run of its OutputFolder closes.
+    void close();
+
     /// Remembers how long the file is, and its checksum; that much is on the disk itself.
     void save(Archive &archive) const;
 
@@ -36,13 +39,13 @@ namespace myolines
     void go_on(const Archive &saved, const std::vector<std::string> &columns);
     void write(const std::vector<std::string> &texts);
 
-    OutputFolder                folder_;
-    std::string                 name_;
-    std::filesystem::path       path_;
-    std::vector<std::string>    columns_;
-    std::size_t                 size_ = 0; ///< [bytes]
-    Checksum                    checksum_;
-    mutable std::optional<File> file_; ///< on the rank that writes
+    OutputFolder             folder_;
+    std::string              name_;
+    std::filesystem::path    path_;
+    std::vector<std::string> columns_;
+    std::size_t              size_ = 0; ///< [bytes]
+    Checksum                 checksum_;
+    std::shared_ptr<File>    file_; ///< on the rank that writes
   };
 
   /// @throws InputError, on all ranks, that names every table of @p folder that is not as it was when @p saved was.

@@ -7,7 +7,7 @@
 namespace myolines
 {
   /// While it lives, no other process has the lock of @p file (one of its parts may, if it is shared). The system frees it when the
-  /// process ends, however it ends. The file stays, as another process may be waiting at it.
+  /// process ends, however it ends. The file goes with the last object that has its lock; one that a killed process left does no harm.
   class FileLock
   {
   public:
@@ -25,6 +25,10 @@ namespace myolines
     FileLock &operator=(const FileLock &) = delete;
 
   private:
-    int descriptor_;
+    void lock(Kind kind, const std::string &holder);
+    bool is_in_place() const;
+
+    std::filesystem::path file_;
+    int                   descriptor_ = -1;
   };
 } // namespace myolines

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/base/files.h>
 #include <myolines/system/archive.h>
 
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace myolines
 {
@@ -21,12 +23,21 @@ namespace myolines
     /// The same folder, in which files that the run has not noted are left alone.
     static OutputFolder with_foreign_files(std::filesystem::path folder);
 
+    /// No folder: outputs that are made with it refuse what they cannot do, and open no file.
+    static OutputFolder nowhere();
+
     std::filesystem::path path;
     const Archive        *saved; ///< nullptr in a run from its start; borrowed
 
     /// The place of the file @p name, which the run will write; noted. Collective.
     /// @throws InputError if a foreign file of that name is there.
     std::filesystem::path file(const std::string &name) const;
+
+    /// Opens file() of that name on the rank that writes; nullptr on others and nowhere. @throws SystemError.
+    std::shared_ptr<File> open(const std::string &name, File::Mode mode) const;
+
+    /// Closes what open() gave; some systems refuse at the end only. Nothing is written there afterwards. @throws SystemError.
+    void close() const;
 
     /// Notes files with numbers in their names, "fields-*.vtu"; see matches(). As file().
     void note(const std::string &pattern) const;
@@ -45,7 +56,9 @@ namespace myolines
     {
       std::set<std::string>                        names;
       std::map<std::string, std::set<std::string>> empty;
+      std::vector<std::shared_ptr<File>>           open;
       bool                                         spares_others = false;
+      bool                                         nowhere       = false;
     };
     std::shared_ptr<List> list_;
   };

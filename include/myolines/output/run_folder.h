@@ -13,8 +13,8 @@ namespace myolines
   class RunFolder
   {
   public:
-    /// Makes the folder if need be. @throws InputError if it cannot be made and written, holds what is not of this program, or another
-    /// run writes there; SystemError if the disk refuses.
+    /// Makes the folder if need be. @throws InputError if it cannot be made and written or another run writes there; SystemError if the
+    /// disk refuses.
     explicit RunFolder(std::filesystem::path folder);
 
     const std::filesystem::path &path() const { return path_; }
@@ -22,11 +22,11 @@ namespace myolines
     /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones. Results of the same scene
     /// with other values are moved to the folder earlier-1 (or -2, ...) in this one, unless they are to @p overwrite. Writes the manifest
     /// of the run, as running, before anything else.
-    /// @throws InputError if these are of another scene and not to @p overwrite, one of them is an input of this run, or a file is not of a
-    /// run.
+    /// @throws InputError, before anything is changed, if these are of another scene and not to @p overwrite, one of them is an input of
+    /// this run, a file is not of a run, or the manifest is damaged or not of this program.
     OutputFolder begin(const std::string &resolved, bool overwrite, const RunRecord &record) const;
 
-    /// For a run that goes on with what it @p saved.
+    /// For a run that goes on with what it @p saved, whatever has become of its manifest.
     OutputFolder resume(const std::string &resolved, const Archive &saved) const;
 
   private:

@@ -32,7 +32,7 @@ namespace myolines
     double elapsed() const; ///< [s]
     void   show(const StepRecord &record);
 
-    std::optional<File>                   log_; ///< on the rank that writes
+    std::shared_ptr<File>                 log_; ///< on the rank that writes
     double                                start_;
     double                                end_;
     double                                from_ = 0; ///< where this run began or was resumed [s]

@@ -7,12 +7,19 @@
 
 namespace myolines
 {
-  /// True on the one rank that writes text files: rank 0, also without MPI or before it is started. Values to write are the same on all ranks.
+  /// True on the one rank that writes text files: rank 0, also without MPI or before it is started. Values to write are the same on all
+  /// ranks.
   bool writes_files();
 
   /// Replaces @p file by @p text in one move, so that a reader or a kill never sees half of it. Does nothing on ranks
   /// that do not write. @throws SystemError.
   void replace_file(const std::filesystem::path &file, const std::string &text);
+
+  /// Makes @p folder, and those above it, where it is not there. @throws SystemError.
+  void make_folder(const std::filesystem::path &folder);
+
+  /// Removes @p file if it is there. @throws SystemError.
+  void remove_file(const std::filesystem::path &file);
 
   /// Returns once what was written to @p file, or the names in a folder, is on the disk itself.
   /// @throws SystemError.
