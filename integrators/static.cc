@@ -44,21 +44,21 @@ namespace myolines
         Vector increment  = state.u;
         increment         = 0;
         StepReport report = solver_.step(stage, rest, increment, state);
-        if (report.accepted() || moves(stage, state))
+        if (report.accepted() || !report.shorter_steps)
           return report;
-
-        const std::string reason = report.reason;
-        rest                     = at_rest(state);
-        record(raise_loads(context_, solver_, stage, 0.5, rest), report);
-        if (report.accepted())
-          swap(state, rest);
-        else
+        const bool moved = moves(stage, state);
+        if (!moved)
           {
-            report.reason = reason + "; raised in parts, " + report.reason;
-            report.advice =
-                "smaller loads; equilibria may end there (a limit point), beyond which only a dynamic system goes on; shorter steps "
-                "only help where the loads depend on time";
+            const std::string reason = report.reason;
+            rest                     = at_rest(state);
+            record(raise_loads(context_, solver_, stage, 0.5, rest), report);
+            if (report.accepted())
+              swap(state, rest);
+            else
+              report.reason = reason + "; raised in parts, " + report.reason;
           }
+        if (!report.accepted())
+          advise(moved || depends_on_time(stage, state), report);
         return report;
       }
 
@@ -77,6 +77,24 @@ namespace myolines
         state.v = 0;
         state.a = 0;
         return state;
+      }
+
+      static void advise(const bool depends_on_time, StepReport &report)
+      {
+        report.shorter_steps = report.shorter_steps && depends_on_time;
+        report.advice += (report.advice.empty() ? "" : ", or ") +
+                         std::string("smaller loads: equilibria may end there (a limit point), beyond which only a dynamic system goes on");
+      }
+
+      /// Whether loads do.
+      bool depends_on_time(const Stage &stage, const State &state) const
+      {
+        const State rest = at_rest(state);
+        Vector      before(state.u), after(state.u);
+        context_.system.residual({state.t, Side::right, rest.u, rest.v, rest.a}, before);
+        context_.system.residual({stage.t, stage.side, rest.u, rest.v, rest.a}, after);
+        after -= before;
+        return after.linfty_norm() > 0;
       }
 
       bool moves(const Stage &stage, const State &state) const

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -23,6 +24,19 @@ namespace myolines
     double consistent_part(const MassOf mass_of) { return mass_of == MassOf::consistent ? 1 : mass_of == MassOf::blended ? 1. / 3 : 0; }
 
     unsigned int n_unknowns_of(const Muscle1dParameters &p) { return n_free_nodes(p) + (p.activation == nullptr ? p.n_elements : 0); }
+
+    /// What the residual balances and what rounding leaves of it, over F_0 and squared, see Evaluation.
+    struct SizeOfResidual
+    {
+      /// A @p part of an element; @p units: its stretch is known to so many units of rounding, as displacements of nodes differ by it.
+      void add(const double part, const HillForce::Value &f, const double units)
+      {
+        const double change = std::numeric_limits<double>::epsilon() * units * (1 + std::abs(f.by_stretch)); // F_0 is a stiffness too
+        forces += part * f.force * f.force;
+        rounding += part * change * change;
+      }
+      double forces = 0, rounding = 0;
+    };
 
     constexpr double front_rate = 8; ///< strain rates beyond it, over e_0, are those of fronts
 
@@ -158,24 +172,27 @@ namespace myolines
     std::vector<double> u, v, a, force(n_nodes(), 0.);
     scatter(point.u, u);
     scatter(point.v, v);
-    const double given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
+    const double   given = solves_activation() ? 0 : p.activation->value(point.t, point.side);
+    SizeOfResidual size;
     for (unsigned int e = 0, begin = 0; e < p.n_elements; ++e, begin += p.degree)
       {
         const double activation = solves_activation() ? element_activation(e, point.t, point.u) : given;
+        const double node_step  = lengths_[e] * element_->h / p.degree;
         for (const Element::GaussPoint &q : element_->points)
           {
             const double stretch = p.initial_stretch + Element::sum(q, &u[begin]) / lengths_[e];
             if (!(stretch > 0) || !std::isfinite(stretch))
               return refused("the stretch of the muscle is not positive somewhere");
-            const double f = q.weight * element_force(e, stretch, Element::sum(q, &v[begin]) / lengths_[e], activation).force;
+            const HillForce::Value f = element_force(e, stretch, Element::sum(q, &v[begin]) / lengths_[e], activation);
             for (unsigned int i = 0; i < element_->n; ++i)
-              force[begin + i] += f * q.slope[i];
+              force[begin + i] += f.force * q.weight * q.slope[i];
+            size.add(q.weight / element_->h, f, p.initial_stretch + std::abs(u[begin]) / node_step);
           }
       }
     for (double &f : force)
       f *= p.maximum_force;
-    if (p.tendon)
-      force.back() -= p.maximum_force * tendon(point.t, point.side, u.back()).value;
+    const double pull = p.tendon ? p.maximum_force * tendon(point.t, point.side, u.back()).value : 0;
+    force.back() -= pull;
     add_inertia(point.a, a, force);
     for (unsigned int node = 1; node <= n_free_nodes(p); ++node)
       r.local_element(of_node(node)) = force[node];
@@ -187,7 +204,7 @@ namespace myolines
               p.maximum_force * p.zajac.time_constant *
               (rate - p.zajac.rate(p.excitation->value(point.t, point.side), element_activation(e, point.t, point.u)));
         }
-    return {};
+    return {true, "", p.maximum_force * std::sqrt(size.forces) + pull, 0, p.maximum_force * std::sqrt(size.rounding)};
   }
 
   void Muscle1dSystem::add_inertia(const Vector &acceleration, std::vector<double> &a, std::vector<double> &force) const

@@ -72,11 +72,13 @@ namespace myolines
     ++evaluations_;
     at.evaluation = at.z.any() ? problem.residual_at(at.x, at.z, false, at.g) : problem.residual(at.x, at.g);
     at.norm       = std::numeric_limits<double>::quiet_NaN();
+    at.undefined  = false;
     if (!at.evaluation.admissible)
       return;
     free_.condense(at.g);
     set_norm(at);
-    if (!std::isfinite(at.norm))
+    at.undefined = !std::isfinite(at.norm);
+    if (at.undefined)
       at.evaluation = {false, "the residual is not a finite number: a load or motion by a formula, perhaps, that is not defined there"};
   }
 
@@ -96,7 +98,10 @@ namespace myolines
       }
     evaluate(problem, at);
     if (!finite)
-      at.evaluation = {false, "a prescribed value is not a finite number: a formula or drive is not defined at this time"};
+      {
+        at.undefined  = true;
+        at.evaluation = {false, "a prescribed value is not a finite number: a formula or drive is not defined at this time"};
+      }
     if (at.evaluation.admissible && (has_rate_gap_ || !rounding))
       add_lift(problem, at);
   }
@@ -162,6 +167,18 @@ namespace myolines
     if (open)
       dx += gap_;
     return report;
+  }
+
+  double LiftedFunction::curvature(NonlinearProblem &problem, const Iterate &at, const Vector &dx)
+  {
+    linearise(problem, at);
+    right_ = dx;
+    if (at.remaining != 0)
+      right_ -= gap_;
+    right_.update_ghost_values();
+    problem.linearisation().apply(problem.weights(), right_, true_);
+    free_.condense(true_);
+    return right_ * true_;
   }
 
   double LiftedFunction::true_norm(NonlinearProblem &problem, const Iterate &at, Evaluation &evaluation)

@@ -49,6 +49,11 @@ namespace myolines
       return true;
     report_.reason       = "the first guess is inadmissible (" + at.evaluation.reason + ")";
     report_.inadmissible = true;
+    if (at.undefined)
+      {
+        report_.advice        = "loads and motions that are defined at all times of the run";
+        report_.shorter_steps = false;
+      }
     return false;
   }
 
@@ -79,8 +84,9 @@ namespace myolines
     text << "residual " << report_.final_residual << " above the tolerance " << tolerance(evaluation) << " after " << report_.iterations
          << " Newton iterations";
     report_.reason = text.str();
-    report_.advice =
-        at_rounding(evaluation) ? looser_tolerance(evaluation) : "shorter steps, or more \"solver/nonlinear/maximum iterations\"";
+    report_.advice = "more \"solver/nonlinear/maximum iterations\"";
+    if (at_rounding(evaluation))
+      advise_looser_tolerance(evaluation);
     return Verdict::failed;
   }
 
@@ -96,10 +102,18 @@ namespace myolines
     if (linear.converged || linear.relative_residual < 0.5)
       return true;
     report_.reason = "linear solver: " + linear.reason;
-    report_.advice =
-        "more \"solver/linear/maximum iterations\", another \"solver/preconditioner/type\", or shorter steps: where equilibria lose their "
-        "stability the tangent is indefinite, and stops the solver too";
+    if (!note_indefinite_tangent(at, dx))
+      report_.advice = "more \"solver/linear/maximum iterations\" or another \"solver/preconditioner/type\"";
     return false;
+  }
+
+  /// There equilibria lose their stability, as at limit points, and neither line search nor Krylov iterations get on.
+  bool Newton::note_indefinite_tangent(const Iterate &at, const Vector &dx)
+  {
+    if (!(function_.curvature(problem_, at, dx) < 0))
+      return false;
+    report_.reason += "; the tangent is indefinite there";
+    return true;
   }
 
   namespace
@@ -128,7 +142,7 @@ namespace myolines
           }
         if (cut == options_.maximum_cuts)
           {
-            fail_search(from, to, cut, alpha);
+            fail_search(from, dx, to, cut, alpha);
             return std::nullopt;
           }
         ledger_.count("line search cuts");
@@ -153,7 +167,7 @@ namespace myolines
     return true;
   }
 
-  void Newton::fail_search(const Iterate &from, const Iterate &trial, const unsigned int cuts, const double alpha)
+  void Newton::fail_search(const Iterate &from, const Vector &dx, const Iterate &trial, const unsigned int cuts, const double alpha)
   {
     std::ostringstream text;
     text << "line search: after " << cuts << " cuts, at " << alpha << " of the Newton step, ";
@@ -164,18 +178,21 @@ namespace myolines
     report_.reason       = text.str();
     report_.inadmissible = !trial.evaluation.admissible;
     if (trial.evaluation.admissible && at_rounding(from.evaluation))
-      report_.advice = looser_tolerance(from.evaluation);
+      advise_looser_tolerance(from.evaluation);
+    else
+      note_indefinite_tangent(from, dx);
   }
 
   /// Whether the last residual is near what rounding leaves.
   bool Newton::at_rounding(const Evaluation &evaluation) const { return report_.final_residual <= 1e3 * evaluation.rounding; }
 
-  std::string Newton::looser_tolerance(const Evaluation &evaluation) const
+  void Newton::advise_looser_tolerance(const Evaluation &evaluation)
   {
     std::ostringstream text;
     text << "a larger \"solver/nonlinear/relative tolerance\" (the rounding of displacements leaves a residual of about "
          << evaluation.rounding << ", the forces are " << evaluation.forces << ") or a smaller bulk modulus";
-    return text.str();
+    report_.advice        = text.str();
+    report_.shorter_steps = false;
   }
 
   void Newton::fail(const std::string &reason)

@@ -54,11 +54,12 @@ namespace myolines
     const NonlinearReport &report();
 
   private:
-    double      tolerance(const Evaluation &evaluation) const;
-    bool        at_rounding(const Evaluation &evaluation) const;
-    std::string looser_tolerance(const Evaluation &evaluation) const;
-    bool        lowers(const Iterate &from, double alpha, const Iterate &to);
-    void        fail_search(const Iterate &from, const Iterate &trial, unsigned int cuts, double alpha);
+    double tolerance(const Evaluation &evaluation) const;
+    bool   at_rounding(const Evaluation &evaluation) const;
+    bool   lowers(const Iterate &from, double alpha, const Iterate &to);
+    void   fail_search(const Iterate &from, const Vector &dx, const Iterate &trial, unsigned int cuts, double alpha);
+    void   advise_looser_tolerance(const Evaluation &evaluation);
+    bool   note_indefinite_tangent(const Iterate &at, const Vector &dx);
 
     const Options    &options_;
     NonlinearProblem &problem_;

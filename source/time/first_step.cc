@@ -6,10 +6,12 @@
 
 namespace myolines
 {
-  Starter::Starter(const FirstStep kind, StageSolver &solver, const IntegratorContext &context, const unsigned int order)
+  Starter::Starter(const FirstStep kind, StageSolver &solver, const IntegratorContext &context, const unsigned int order,
+                   const unsigned int steps)
     : context_(context)
     , solver_(solver)
     , passes_(order < 4 ? 1 : 2)
+    , steps_(steps)
   {
     if (kind == FirstStep::l_stable)
       stepper_.emplace(order <= 2 ? sdirk2_table() : sdirk3_table(), solver, context);
@@ -18,8 +20,8 @@ namespace myolines
   void Starter::start(State &state)
   {
     start_piece(context_, solver_, state);
-    due_ = stepper_.has_value();
-    if (!due_)
+    due_ = stepper_ ? steps_ : 0;
+    if (!stepper_)
       consistent_acceleration(context_, solver_, Side::right, state);
   }
 
@@ -28,7 +30,7 @@ namespace myolines
     StepReport report = stepper_->step(dt, state);
     if (!report.accepted())
       return report;
-    due_ = false;
+    --due_;
     resolve_acceleration(state, report);
     return report;
   }
@@ -57,11 +59,12 @@ namespace myolines
       context_.system.prescribed(state.t, Side::left, state);
   }
 
-  void Starter::save(Archive &archive) const { archive.put("first step of a piece is due", due_); }
+  void Starter::save(Archive &archive) const { archive.put("first steps of a piece that are due", due_); }
 
   void Starter::load(const Archive &archive)
   {
-    due_ = stepper_ && archive.has_numbers("first step of a piece is due") && archive.number("first step of a piece is due") != 0;
+    const std::string name = "first steps of a piece that are due";
+    due_                   = stepper_ && archive.has_numbers(name) ? static_cast<unsigned int>(archive.number(name)) : 0;
   }
 
   void declare_first_step(scene::Schema &schema)

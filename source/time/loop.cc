@@ -306,8 +306,14 @@ namespace myolines
         record.number = number_;
         tell_rejected(record);
         if (!control_.rejected(state_.t, record.dt, record.report))
-          give_up(" of size " + text(record.dt) + " s", record.report.reason,
-                  record.report.advice.empty() ? control_.advice() : record.report.advice);
+          give_up(" of size " + text(record.dt) + " s", record.report.reason, advice(record.report));
+      }
+
+      std::string advice(const StepReport &report) const
+      {
+        if (report.advice.empty())
+          return control_.advice();
+        return report.shorter_steps ? report.advice + ", or " + control_.advice() : report.advice;
       }
 
       Integrator  &integrator_;

@@ -142,6 +142,7 @@ namespace myolines
     step.final_residual   = solve.final_residual;
     step.reason           = solve.reason;
     step.advice           = solve.advice;
+    step.shorter_steps    = solve.shorter_steps;
     step.outcome          = solve.converged      ? StepReport::Outcome::accepted
                             : solve.inadmissible ? StepReport::Outcome::inadmissible
                                                  : StepReport::Outcome::not_converged;

@@ -42,6 +42,15 @@ namespace myolines
       resolution_ = 16 * std::numeric_limits<double>::epsilon() * predictor.u.linfty_norm() / std::abs(stage.c.u);
   }
 
+  void StageProblem::predict(Vector &d) const
+  {
+    if (stage_.average != nullptr) // forces depend on those of the average
+      combine(d, {{1 / stage_.average->weight.v, stage_.first_v}, {-1 / stage_.average->weight.v, &stage_.average->offset->v}});
+    else
+      combine(d, {{1, stage_.first_v}});
+    combine(d, {{1 / stage_.c.v, &d}, {-1 / stage_.c.v, &predictor_.v}});
+  }
+
   void StageProblem::impose(Vector &d) const
   {
     if (!stage_.prescribed)

@@ -79,7 +79,7 @@ namespace myolines
     bool predicts() const { return bold_ && start_.any() && stage_.first_v != nullptr && stage_.c.v != 0; }
 
     /// d of the velocities Stage::first_v.
-    void predict(Vector &d) const { combine(d, {{1 / stage_.c.v, stage_.first_v}, {-1 / stage_.c.v, &predictor_.v}}); }
+    void predict(Vector &d) const;
 
     /// Turns the predictors into the end of the stage. Constrained displacements hold g(t) without the round-off of
     /// u~ + c_u d, and with exact rates their derivatives too.

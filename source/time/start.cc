@@ -134,7 +134,9 @@ namespace myolines
     stage.c                      = {1, 0, 0};
     const NonlinearReport report = raise_loads(context, solver, stage, 1, rest);
     if (!report.converged)
-      throw SolveError("The equilibrium to start from cannot be computed: " + report.reason + ".");
+      throw SolveError("The equilibrium to start from cannot be computed: " + report.reason +
+                       ". To try: " + (report.advice.empty() ? "" : report.advice + ", or ") +
+                       "smaller loads or another activation at the start: equilibria may end there (a limit point).");
     context.solver.forget(); // the weights of the steps to come are others
     state.u.swap(rest.u);
   }

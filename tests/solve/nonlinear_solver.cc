@@ -261,6 +261,79 @@ TEST(NonlinearSolver, reportsInsteadOfThrowing)
   }
 }
 
+namespace
+{
+  /// Of one equation whose forces and rounding are told.
+  class Sized : public SmallProblem
+  {
+  public:
+    Sized(std::function<double(double)> f_of_x, std::function<double(double)> slope, const double rounding)
+      : SmallProblem(1)
+      , rounding_(rounding)
+    {
+      f        = [f_of_x](const Values &x) { return Values{f_of_x(x[0])}; };
+      jacobian = [slope](const Values &x) { return std::vector<Values>{{slope(x[0])}}; };
+    }
+    Evaluation residual(const Vector &x, Vector &r) override
+    {
+      Evaluation evaluation = SmallProblem::residual(x, r);
+      evaluation.forces     = 1;
+      evaluation.rounding   = rounding_;
+      return evaluation;
+    }
+
+  private:
+    const double rounding_;
+  };
+
+  NonlinearReport failure(SmallProblem &problem, const double start, const Overrides &settings = {})
+  {
+    Solvers               solvers(settings);
+    Vector                x      = problem.start({start});
+    const NonlinearReport report = solvers.nonlinear.solve(problem, x);
+    EXPECT_FALSE(report.converged);
+    return report;
+  }
+
+  bool tells(const std::string &text, const std::string &part) { return text.find(part) != std::string::npos; }
+} // namespace
+
+// Advice fits the cause, and leaves out what cannot help.
+TEST(NonlinearSolver, advisesByCause)
+{
+  const auto line = [](double x) { return x; };
+  const auto one  = [](double) { return 1.; };
+
+  Sized                 noise([](double x) { return x + (x > 0 ? 1e-9 : -1e-9); }, one, 1e-11); // jumps over its root
+  const NonlinearReport rounding = failure(noise, 1, {"relative tolerance=1e-12"});
+  EXPECT_TRUE(tells(rounding.advice, "relative tolerance")) << rounding.advice;
+  EXPECT_FALSE(rounding.shorter_steps);
+
+  Sized                 well([](double x) { return 1 + std::abs(x); }, [](double x) { return x > 0 ? 1. : -1.; }, 1e-16);
+  const NonlinearReport indefinite = failure(well, 0);
+  EXPECT_TRUE(tells(indefinite.reason, "the tangent is indefinite")) << indefinite.reason;
+  EXPECT_EQ(indefinite.advice, "");
+  EXPECT_TRUE(indefinite.shorter_steps);
+
+  Sized                 slow([](double x) { return x * x * x; }, [](double x) { return 3 * x * x; }, 1e-16);
+  const NonlinearReport iterations = failure(slow, 1, {"maximum iterations=3"});
+  EXPECT_TRUE(tells(iterations.advice, "maximum iterations")) << iterations.advice;
+  EXPECT_TRUE(iterations.shorter_steps);
+
+  Sized                 edge([](double x) { return x > 0 ? std::nan("") : 1.; }, [](double) { return -1.; }, 1e-16);
+  const NonlinearReport inadmissible = failure(edge, 0);
+  EXPECT_TRUE(tells(inadmissible.reason, "inadmissible")) << inadmissible.reason;
+  EXPECT_FALSE(tells(inadmissible.advice, "tolerance")) << inadmissible.advice;
+
+  Sized given(line, one, 1e-16);
+  given.relations.add_line(0);
+  given.relations.close();
+  given.targets[0]                = std::nan("");
+  const NonlinearReport undefined = failure(given, 1);
+  EXPECT_TRUE(tells(undefined.advice, "defined at all times")) << undefined.advice;
+  EXPECT_FALSE(undefined.shorter_steps);
+}
+
 TEST(NonlinearSolver, refusesContradictingTolerances)
 {
   EXPECT_THROW(Solvers({"forcing minimum=0.1", "forcing maximum=0.01"}), InputError);

@@ -20,7 +20,8 @@ namespace myolines
     std::uint64_t stamp     = 0; ///< names x and z: equal stamps, equal values
     double        remaining = 0; ///< 1 - alpha, the part of the gap still open; 0: x_c = target
     Evaluation    evaluation;
-    double        norm = 0; ///< of G and of the residual of z (Evaluation::local), over all ranks; NaN where inadmissible
+    bool          undefined = false; ///< inadmissible as loads or prescribed values are no numbers
+    double        norm      = 0;     ///< of G and of the residual of z (Evaluation::local), over all ranks; NaN where inadmissible
   };
 
   /// Without copies; std::swap would make three, as vectors have no move assignment.
@@ -32,6 +33,7 @@ namespace myolines
     std::swap(left.stamp, right.stamp);
     std::swap(left.remaining, right.remaining);
     std::swap(left.evaluation, right.evaluation);
+    std::swap(left.undefined, right.undefined);
     std::swap(left.norm, right.norm);
   }
 
@@ -72,17 +74,20 @@ namespace myolines
     /// lifted from here: G becomes that with remaining = 1.
     LinearReport direction(NonlinearProblem &problem, DirectionSolver &solver, Iterate &at, double tolerance, double absolute, Vector &dx);
 
+    /// dx J dx on the free unknowns for a direction() from @p at.
+    double curvature(NonlinearProblem &problem, const Iterate &at, const Vector &dx);
+
     /// |F(x, z(x))| on the free unknowns, where nothing remains of the gap; @p evaluation belongs to it.
     double true_norm(NonlinearProblem &problem, const Iterate &at, Evaluation &evaluation);
 
     unsigned int evaluations() const { return evaluations_; }
 
   private:
-    void   evaluate(NonlinearProblem &problem, Iterate &at);
-    void   set_gap(const NonlinearProblem &problem, const Vector &x);
-    void   linearise(NonlinearProblem &problem, const Iterate &at);
-    void   add_lift(NonlinearProblem &problem, Iterate &at);
-    void   set_norm(Iterate &at) const;
+    void evaluate(NonlinearProblem &problem, Iterate &at);
+    void set_gap(const NonlinearProblem &problem, const Vector &x);
+    void linearise(NonlinearProblem &problem, const Iterate &at);
+    void add_lift(NonlinearProblem &problem, Iterate &at);
+    void set_norm(Iterate &at) const;
 
     const Constraints *constraints_;
     WorkLedger        &ledger_;

@@ -15,10 +15,11 @@ namespace myolines
   struct NonlinearReport
   {
     bool         converged    = false;
-    bool         inadmissible = false;     ///< failed because no admissible point was found along the step
-    std::string  reason;                   ///< why not converged; empty if it did
-    std::string  advice;                   ///< what may help against that; empty: shorter steps
-    unsigned int iterations           = 0; ///< Newton steps = linear solves
+    bool         inadmissible = false;        ///< failed because no admissible point was found along the step
+    std::string  reason;                      ///< why not converged; empty if it did
+    std::string  advice;                      ///< what may help against that, beside shorter steps; empty: nothing else
+    bool         shorter_steps        = true; ///< whether those may help
+    unsigned int iterations           = 0;    ///< Newton steps = linear solves
     unsigned int linear_iterations    = 0;
     unsigned int residual_evaluations = 0;
     double       initial_residual     = 0; ///< l2 norm over free unknowns after the Dirichlet lift (to first order) [unit of F]

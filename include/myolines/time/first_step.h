@@ -23,16 +23,19 @@ namespace myolines
   class Starter
   {
   public:
-    /// Shares @p solver with the method, which is of @p order.
-    Starter(FirstStep kind, StageSolver &solver, const IntegratorContext &context, unsigned int order = 2);
+    /// Shares @p solver with the method, which is of @p order; the first @p steps of a piece are L-stable ones.
+    Starter(FirstStep kind, StageSolver &solver, const IntegratorContext &context, unsigned int order = 2, unsigned int steps = 1);
 
     /// Of the beginning of a piece: see start_piece(), and with own formulas consistent_acceleration().
     void start(State &state);
 
-    /// Whether the next step is the first one of its piece and not by own formulas.
-    bool takes_next_step() const { return due_; }
+    /// Begins a piece before it is due: a kink lies in or just beyond the next step, which is L-stable as well.
+    void kink_ahead() { due_ = stepper_ ? steps_ + 1 : 0; }
 
-    /// That step, as Integrator::step.
+    /// Whether the next step is one of the first of its piece and not by own formulas.
+    bool takes_next_step() const { return due_ > 0; }
+
+    /// An L-stable step, as Integrator::step.
     StepReport step(double dt, State &state);
 
     void save(Archive &archive) const;
@@ -49,7 +52,8 @@ namespace myolines
     StageSolver               &solver_;
     std::optional<DirkStepper> stepper_; ///< none: own formulas
     unsigned int               passes_;  ///< k of resolve_acceleration()
-    bool                       due_ = false;
+    unsigned int               steps_;   ///< L-stable ones of a piece
+    unsigned int               due_ = 0; ///< of those
   };
 
   /// Refuses (InputError) own formulas for a first step in a system without accelerations (has_accelerations()).

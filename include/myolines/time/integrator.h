@@ -85,7 +85,8 @@ namespace myolines
     };
     Outcome               outcome = Outcome::accepted;
     std::string           reason;
-    std::string           advice; ///< what may help; empty: what the control of steps says
+    std::string           advice;                      ///< what may help, beside what the control of steps says
+    bool                  shorter_steps        = true; ///< whether that may help
     unsigned int          newton_iterations    = 0;
     unsigned int          linear_iterations    = 0;
     unsigned int          residual_evaluations = 0;
