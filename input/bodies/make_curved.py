@@ -37,5 +37,5 @@ def curved(n):
 
 
 if __name__ == "__main__":
-    mesh, fibres = curved((6, 3, 3))
+    mesh, fibres = curved((5, 2, 2))
     mesh.write_vtu(os.path.join(os.path.dirname(os.path.abspath(__file__)), "curved.vtu"), fibres, tetrahedra=True)

@@ -82,8 +82,9 @@ class StructuredMesh:
                 out.write(f"{n} {kind} 2 {group} {group} " + " ".join(str(v + 1) for v in nodes) + "\n")
             out.write("$EndElements\n")
 
-    def write_vtu(self, path, fibres, tetrahedra, digits=7):
-        """fibres: a vector for each point, the array "fibre". Faces and cells have the array "group", whose names are told as well."""
+    def write_vtu(self, path, fibres=None, tetrahedra=False, digits=7, cell_fields=None):
+        """fibres: a vector for each point, the array "fibre". cell_fields: arrays by name, a number for each hexahedron; faces have zeros there. Faces and
+        cells have the array "group", whose names are told as well."""
         groups = {}
         for dimension, elements in ((2, self.faces), (3, self.cells)):
             for name, _ in elements:
@@ -117,8 +118,13 @@ class StructuredMesh:
             for name in names:
                 out.write(" ".join(str(b) for b in name.encode()) + " 0\n")
             out.write(f'</Array>\n</FieldData>\n<Piece NumberOfPoints="{len(self.points)}" NumberOfCells="{len(elements)}">\n<PointData>\n')
-            out.write(array("Float64", "fibre", vectors(fibres), 3))
+            if fibres:
+                out.write(array("Float64", "fibre", vectors(fibres), 3))
             out.write("</PointData>\n<CellData>\n" + array("Int32", "group", [str(group) for _, group, _ in elements]))
+            for name, values in (cell_fields or {}).items():
+                rows = [value for value in values for _ in range(6 if tetrahedra else 1)]
+                rows += [0] * (len(elements) - len(rows))
+                out.write(array("Float64", name, [f"{value:.{digits}g}" for value in rows]))
             out.write("</CellData>\n<Points>\n" + array("Float64", "Points", vectors(self.points), 3) + "</Points>\n<Cells>\n")
             out.write(array("Int32", "connectivity", [" ".join(map(str, nodes)) for _, _, nodes in elements]))
             out.write(array("Int32", "offsets", [str(end) for end in ends[1:]]) + array("UInt8", "types", [str(kind) for kind, _, _ in elements]))
