@@ -57,9 +57,9 @@ namespace myolines
     {
       if (series.text("force face") != moving_face)
         return read_face(series, "force face", system.parameters().geometry);
-      for (const BoundaryCondition &condition : system.parameters().boundary)
-        if (condition.type == BoundaryCondition::Type::strain)
-          return condition.face;
+      for (const auto &condition : system.parameters().boundary)
+        if (condition->facts().strains)
+          return condition->facts().face;
       if (const auto &line = system.line_of_action().line)
         return line->to;
       return std::nullopt;
@@ -88,7 +88,7 @@ namespace myolines
       if (series.boolean("all faces"))
         files.push_back(all_faces_files(folder, p));
       if (series.boolean("reactions") &&
-          std::any_of(p.boundary.begin(), p.boundary.end(), [](const BoundaryCondition &c) { return c.reacts(); }))
+          std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &condition) { return condition->facts().reacts(); }))
         files.push_back(reaction_file(folder, system));
       if (series.boolean("energies"))
         files.push_back(energy_file(folder, p));

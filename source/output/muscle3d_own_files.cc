@@ -12,32 +12,28 @@ namespace myolines
 {
   std::unique_ptr<SeriesFile> reaction_file(const OutputFolder &folder, const Muscle3dSystem &system)
   {
-    const std::vector<BoundaryCondition> &boundary = system.parameters().boundary;
-    std::vector<std::string>              columns{"Time [s]"};
-    for (const BoundaryCondition &condition : boundary)
-      if (condition.reacts())
-        for (const char *axis : {" x [N]", " y [N]", " z [N]"})
-          columns.push_back(condition.name + axis);
-    std::vector<std::string> stopped; // conditions with a stop, whose columns come last
-    for (const BoundaryCondition &condition : boundary)
-      if (condition.has_stop())
-        {
-          stopped.push_back(condition.name);
-          columns.push_back(condition.name + " stop [N]");
-        }
+    std::vector<BoundaryFacts> reacting = facts_of(system.parameters().boundary);
+    reacting.erase(std::remove_if(reacting.begin(), reacting.end(), [](const BoundaryFacts &facts) { return !facts.reacts(); }),
+                   reacting.end());
+    std::vector<std::string> columns{"Time [s]"};
+    for (const BoundaryFacts &condition : reacting)
+      for (const char *axis : {" x [N]", " y [N]", " z [N]"})
+        columns.push_back(condition.name + axis);
+    for (const BoundaryFacts &condition : reacting)
+      for (const std::string &own : condition.columns)
+        columns.push_back(condition.name + " " + own);
     std::optional<dealii::Tensor<1, 3>> along;
     if (const auto &line = system.line_of_action().line)
       along = line->direction;
-    for (const BoundaryCondition &condition : boundary)
-      if (condition.reacts() && along)
+    for (const BoundaryFacts &condition : reacting)
+      if (along)
         columns.push_back(condition.name + " along the line [N]");
-    return make_series_file(folder, "reaction.csv", columns, [stopped, along](const Muscle3dSample &sample) {
+    return make_series_file(folder, "reaction.csv", columns, [along](const Muscle3dSample &sample) {
       std::vector<double> row{sample.t()};
       for (const Reaction &reaction : sample.reactions())
         row.insert(row.end(), {reaction.force[0], reaction.force[1], reaction.force[2]});
       for (const Reaction &reaction : sample.reactions())
-        if (std::find(stopped.begin(), stopped.end(), reaction.condition) != stopped.end())
-          row.push_back(reaction.stop);
+        row.insert(row.end(), reaction.own.begin(), reaction.own.end());
       if (along)
         for (const Reaction &reaction : sample.reactions())
           row.push_back(reaction.force * *along);
@@ -52,7 +48,7 @@ namespace myolines
                                      "Stored passive [J]", "Active work [J]",     "Dissipated [J]",        "External work [J]",
                                      "Balance drift [J]",  "Stored tendinous [J]"};
     const bool               springs =
-        std::any_of(parameters.boundary.begin(), parameters.boundary.end(), [](const BoundaryCondition &c) { return c.is_spring(); });
+        std::any_of(parameters.boundary.begin(), parameters.boundary.end(), [](const auto &condition) { return condition->facts().supports; });
     if (springs)
       columns.push_back("Stored springs [J]");
     return make_series_file(folder, "energy_balance.csv", columns, [&balance, springs](const Muscle3dSample &sample) {
