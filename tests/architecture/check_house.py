@@ -13,8 +13,8 @@ import re
 import sys
 
 LONGEST_FILE = 400
-SCANNED = ("include", "source", "integrators", "boundary")
-REGISTRIES = {"integrators": "integrators", "boundary": "muscle3d"}  # folder of a registry: its room
+SCANNED = ("include", "source", "integrators", "boundary", "outputs")
+REGISTRIES = {"integrators": "integrators", "boundary": "muscle3d", "outputs": "output"}  # folder of a registry: its room
 CODE = (".h", ".cc", ".py", ".sh")
 LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
@@ -207,6 +207,7 @@ PLANTED = (
     ("integrators/planted2.cc", "\n", "has no line in integrators/list.def"),
     ("boundary/planted.cc", "#include <myolines/output/outputs.h>\n", "muscle3d includes output"),
     ("boundary/planted2.cc", "\n", "has no line in boundary/list.def"),
+    ("outputs/planted.cc", "\n", "has no line in outputs/list.def"),
     ("source/cli/planted2.cc", 'const char *advice = "bdf2 and sdirk2 do";\n', "the constant names the integrator bdf2"),
 )
 INNOCENT = (
