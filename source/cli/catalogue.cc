@@ -46,8 +46,9 @@ namespace myolines
     std::vector<const FileDrive *> files_of(const Muscle3dParameters &parameters)
     {
       std::vector<const Drive *> drives = parameters.activation_drives();
-      for (const BoundaryCondition &condition : parameters.boundary)
-        drives.insert(drives.end(), {condition.strain.get(), condition.profile.get()});
+      for (const auto &condition : parameters.boundary)
+        for (const Drive *drive : condition->drives())
+          drives.push_back(drive);
       return files_among(drives);
     }
 

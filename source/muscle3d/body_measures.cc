@@ -31,7 +31,7 @@ namespace myolines
           return;
         const double tolerance = slack * line_->length;
         const double distance  = rule_ == SlabRule::whole_cells ? distance_of(cell->center(), 0) : // exact comparison, as the peer
-                                                                  distance_of(point_position(element_, cell, q), slack);
+                                    distance_of(point_position(element_, cell, q), slack);
         if (distance > distance_ + tolerance)
           return;
         if (distance < distance_ - tolerance)
@@ -94,14 +94,20 @@ namespace myolines
         powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate, &curves).value - 1);
     }
 
-    void add_load_powers(const Muscle3dSystem &system, const State &state, const Side side, Powers &powers)
+    /// Powers of loads and supports, and what dashpots dissipate. Returns the energy of springs [J].
+    double add_load_powers(const Muscle3dSystem &system, const State &state, const Side side, Powers &powers)
     {
+      SurfaceForces::Work work;
       if (system.surface_forces().any())
-        powers.traction_power = system.surface_forces().power(state.t, side, state.u, state.v);
-      if (!system.loads().any_external())
-        return;
-      powers.traction_power += system.loads().traction_power(state.t, side, state.v);
-      powers.body_force_power = system.loads().body_force_power(state.t, state.v);
+        work = system.surface_forces().work({state.t, side, state.u, state.v, state.a});
+      powers.traction_power = work.power;
+      powers.dissipation += work.dissipation;
+      if (system.loads().any_external())
+        {
+          powers.traction_power += system.loads().load_power(state.t, side, state.v);
+          powers.body_force_power = system.loads().body_force_power(state.t, state.v);
+        }
+      return work.energy;
     }
 
     void add_energies(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, BodyMeasures &m)
@@ -165,9 +171,7 @@ namespace myolines
       x /= m.volume;
     m.l2_displacement = std::sqrt(m.l2_displacement);
     m.l2_pressure     = std::sqrt(m.l2_pressure);
-    add_load_powers(system, state, side, m);
-    if (system.surface_forces().any())
-      m.stored_springs = system.surface_forces().energy(state.t, side, state.u);
+    m.stored_springs  = add_load_powers(system, state, side, m);
     return m;
   }
 
@@ -214,7 +218,7 @@ namespace myolines
     const std::optional<LineOfAction> &line = system.line_of_action().line;
     if (!line || line->thickness)
       return line ? line->thickness : std::nullopt;
-    const State still = system.still_state();
+    const State                   still   = system.still_state();
     const Element                &element = system.discretisation().element;
     dealii::SymmetricTensor<2, 3> leaning; // int b (x) b over the slab, b the part of the fibre direction across the line
     double                        volume = 0;
@@ -225,8 +229,8 @@ namespace myolines
       leaning += p.JxW * symmetrize(outer_product(b, b));
       volume += p.JxW;
     });
-    leaning = dealii::Utilities::MPI::sum(leaning, system.discretisation().communicator);
-    volume  = dealii::Utilities::MPI::sum(volume, system.discretisation().communicator);
+    leaning                   = dealii::Utilities::MPI::sum(leaning, system.discretisation().communicator);
+    volume                    = dealii::Utilities::MPI::sum(volume, system.discretisation().communicator);
     const auto       modes    = dealii::eigenvectors(leaning); // descending
     constexpr double least    = 3e-4;                          // sine squared of a degree
     constexpr double distinct = 0.9;
@@ -245,36 +249,43 @@ namespace myolines
     std::vector<Reaction>                     reactions;
     std::set<dealii::types::global_dof_index> taken;
     const auto                               &conditions = system.parameters().boundary;
+    const auto                               &ties       = system.discretisation().constraints.held;
     for (auto condition = conditions.rbegin(); condition != conditions.rend(); ++condition)
       {
-        if (!condition->reacts())
+        const BoundaryFacts &facts = (*condition)->facts();
+        if (!facts.reacts())
           continue;
-        Reaction reaction;
-        reaction.condition     = condition->name;
-        const auto &ties       = system.discretisation().constraints.held;
-        const auto  tie        = ties.find(condition->name);
-        const auto  components = tie != ties.end() ? tie->second : condition->components; // none of a foundation
-        if (condition->constrains())
-          for (const auto node : space.face_nodes(condition->face))
-            for (unsigned int c = 0; c < 3; ++c)
-              if (const auto i = 3 * node + c; components[c] && space.owned_unknowns().is_element(i) && taken.insert(i).second)
-                {
-                  reaction.force[c] += r(i);
-                  reaction.power += r(i) * state.v(i);
-                }
-        reaction.force = dealii::Utilities::MPI::sum(reaction.force, space.communicator());
-        reaction.power = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
-        if (condition->is_spring())
-          {
-            const dealii::Tensor<1, 3> spring = system.surface_forces().force(state.t, side, state.u, *condition);
-            reaction.force += spring;
-            if (condition->has_stop())
-              for (unsigned int c = 0; c < 3; ++c)
-                reaction.stop += spring[c] * condition->direction[c];
-          }
-        if (condition->type == BoundaryCondition::Type::isotonic)
+        std::array<bool, 3> components = facts.prescribed;
+        if (const auto tie = ties.find(facts.name); tie != ties.end())
           for (unsigned int c = 0; c < 3; ++c)
-            reaction.force[c] += condition->load * condition->factor(state.t, side) * condition->direction[c];
+            components[c] = components[c] || tie->second[c];
+        Reaction     reaction{facts.name, {}, 0, {}};
+        FaceReaction face;
+        if (facts.constrains())
+          for (const auto node : space.face_nodes(facts.face))
+            {
+              Vector3 pull, place; // the place counts where there is a pull
+              for (unsigned int c = 0; c < 3; ++c)
+                if (const auto i = 3 * node + c; components[c] && space.owned_unknowns().is_element(i) && taken.insert(i).second)
+                  {
+                    pull[c] = r(i);
+                    reaction.power += r(i) * state.v(i);
+                  }
+              if (space.owned_unknowns().is_element(3 * node))
+                for (unsigned int c = 0; c < 3; ++c)
+                  place[c] = space.node_position(node)[c] + state.u(3 * node + c);
+              face.constraint += pull;
+              face.moment += cross_product_3d(place, pull);
+            }
+        face.constraint = dealii::Utilities::MPI::sum(face.constraint, space.communicator());
+        face.moment     = dealii::Utilities::MPI::sum(face.moment, space.communicator());
+        reaction.power  = dealii::Utilities::MPI::sum(reaction.power, space.communicator());
+        if (facts.pushes)
+          face.support = system.surface_forces().force({state.t, side, state.u, state.v, state.a}, **condition);
+        if (facts.loads)
+          face.load = system.surface_forces().load(state.t, side, **condition);
+        reaction.force = face.constraint + face.support + face.load;
+        reaction.own   = (*condition)->own_columns(state.t, side, face);
         reactions.insert(reactions.begin(), reaction);
       }
     return reactions;

@@ -3,9 +3,6 @@
 #include <myolines/base/names.h>
 #include <myolines/muscle3d/discretisation.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,14 +12,13 @@ namespace myolines
   namespace
   {
     using dealii::types::global_dof_index;
-    using Normal = dealii::Tensor<1, 3>;
 
     constexpr double negligible = 1e-10; ///< beside 1
 
     /// sum over c of a_c u_c = sum over k of b_k q_k at a node, q_k what moves face k.
     struct Row
     {
-      Normal              a;
+      Vector3             a;
       std::vector<double> b;
       int                 pivot = -1;
 
@@ -41,127 +37,69 @@ namespace myolines
       std::vector<Row>    rows;
     };
 
-    /// Unit normal of a plane face. @throws InputError if it is none.
-    Normal normal_of_plane(const BoundaryCondition &condition, const NodeSpace &space)
-    {
-      dealii::FEFaceValues<3> values(space.nodes().get_fe(), dealii::QGauss<2>(2),
-                                     dealii::update_normal_vectors | dealii::update_JxW_values);
-      Normal                  sum;
-      double                  area = 0;
-      for (const NodeSpace::Cell &cell : space.nodes().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.face)
-              {
-                values.reinit(cell, f);
-                for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
-                  {
-                    sum += values.JxW(q) * values.normal_vector(q);
-                    area += values.JxW(q);
-                  }
-              }
-      sum  = dealii::Utilities::MPI::sum(sum, space.communicator());
-      area = dealii::Utilities::MPI::sum(area, space.communicator());
-      // All normals are one exactly where their mean has length one; the difference is of second order.
-      if (!(sum.norm() > (1 - 1e-12) * area))
-        throw InputError(InputProblem{condition.scene_path, "the face of symmetry plane \"" + condition.name + "\" is not plane",
-                                      "a plane face", "one condition for each plane part, by faces of their own"});
-      for (unsigned int c = 0; c < 3; ++c)
-        if (std::abs(sum[c]) < negligible * area)
-          sum[c] = 0; // so that planes along the axes tie nothing
-      return sum / sum.norm();
-    }
-
-    /// Two unit vectors across n and each other, along the axes where n is.
-    std::array<Normal, 2> across(const Normal &n)
-    {
-      unsigned int largest = 0;
-      for (unsigned int c = 1; c < 3; ++c)
-        if (std::abs(n[c]) > std::abs(n[largest]))
-          largest = c;
-      Normal first;
-      first[(largest + 1) % 3] = 1;
-      first -= (first * n) * n;
-      first /= first.norm();
-      return {{first, cross_product_3d(n, first)}};
-    }
-
     /// What all conditions ask of the nodes that this rank sees, and of those that all ranks know.
     class Demands
     {
     public:
-      Demands(const std::vector<BoundaryCondition> &conditions, const NodeSpace &space)
+      Demands(const BoundaryConditions &conditions, const NodeSpace &space)
         : space_(space)
       {
-        for (const BoundaryCondition &condition : conditions)
-          if (condition.moves_as_one())
-            tied_.push_back(&condition);
-        for (const BoundaryCondition &condition : conditions)
-          if (condition.prescribes_motion())
-            prescribe(condition);
-          else if (condition.constrains())
-            tie(condition);
+        for (const auto &condition : conditions)
+          if (condition->facts().moves_as_one)
+            masters_.push_back(space_.shared_nodes().at(condition->facts().face));
+        for (const auto &condition : conditions)
+          {
+            if (condition->facts().prescribes())
+              prescribe(condition->facts());
+            if (condition->facts().ties)
+              tie(*condition);
+          }
         share();
       }
 
-      std::map<global_dof_index, AtNode>            nodes;
-      std::map<std::string, std::array<bool, 3>>    held;
-      const std::vector<const BoundaryCondition *> &tied() const { return tied_; }
-      global_dof_index                              master(const std::size_t k) const { return space_.shared_nodes().at(tied_[k]->face); }
+      std::map<global_dof_index, AtNode>         nodes;
+      std::map<std::string, std::array<bool, 3>> held;
+      const std::vector<global_dof_index>       &masters() const { return masters_; }
+      const Vector3                             &direction(const std::size_t k) const { return directions_[k]; } ///< of the motion q_k
 
     private:
-      void prescribe(const BoundaryCondition &condition)
+      void prescribe(const BoundaryFacts &condition)
       {
         for (const auto node : space_.face_nodes(condition.face))
           for (unsigned int c = 0; c < 3; ++c)
-            if (condition.components[c])
+            if (condition.prescribed[c])
               {
                 nodes[node].prescribed[c] = true;
-                nodes[node].may_move[c]   = condition.may_move(c); // the later condition holds
+                nodes[node].may_move[c]   = condition.moving[c]; // the later condition holds
               }
       }
 
       void tie(const BoundaryCondition &condition)
       {
-        Normal n;
-        if (condition.moves_as_one())
-          for (unsigned int c = 0; c < 3; ++c)
-            n[c] = condition.direction[c];
-        else
-          n = normal_of_plane(condition, space_);
-        std::vector<Row> rows(1);
-        rows[0].a = n;
-        if (condition.held_across)
-          for (const Normal &t : across(n))
-            rows.push_back({t, {}});
-        for (Row &row : rows)
+        for (const Tie &tie : condition.ties(space_))
           {
-            row.b.resize(tied_.size());
+            const std::size_t k = directions_.size();
+            Row               row{tie.direction, std::vector<double>(masters_.size())};
             for (unsigned int c = 0; c < 3; ++c)
-              held[condition.name][c] = held[condition.name][c] || std::abs(row.a[c]) > negligible;
+              held[condition.facts().name][c] = held[condition.facts().name][c] || std::abs(row.a[c]) > negligible;
+            if (tie.moves)
+              {
+                row.b[k] = 1;
+                directions_.push_back(tie.direction);
+              }
+            for (const auto node : space_.face_nodes(condition.facts().face))
+              if (!tie.moves || node != masters_[k]) // whose motion is q
+                nodes[node].rows.push_back(row);
           }
-        for (const auto node : space_.face_nodes(condition.face))
-          for (std::size_t i = 0; i < rows.size(); ++i)
-            {
-              Row row = rows[i];
-              if (i == 0 && condition.moves_as_one())
-                {
-                  const std::size_t k = std::find(tied_.begin(), tied_.end(), &condition) - tied_.begin();
-                  if (node == master(k))
-                    continue; // its motion is q
-                  row.b[k] = 1;
-                }
-              nodes[node].rows.push_back(row);
-            }
       }
 
       /// Tells all ranks of the nodes that all know.
       void share()
       {
-        for (std::size_t k = 0; k < tied_.size(); ++k)
+        for (const global_dof_index master : masters_)
           {
             std::vector<double> text;
-            if (const auto found = nodes.find(master(k)); found != nodes.end() && space_.owned_unknowns().is_element(3 * master(k)))
+            if (const auto found = nodes.find(master); found != nodes.end() && space_.owned_unknowns().is_element(3 * master))
               {
                 const AtNode &node = found->second;
                 for (unsigned int c = 0; c < 3; ++c)
@@ -174,7 +112,7 @@ namespace myolines
               }
             for (const auto &told : dealii::Utilities::MPI::all_gather(space_.communicator(), text))
               if (!told.empty())
-                hear(master(k), told);
+                hear(master, told);
           }
       }
 
@@ -187,13 +125,14 @@ namespace myolines
             node.prescribed[c] = text[2 * c] != 0;
             node.may_move[c]   = text[2 * c + 1] != 0;
           }
-        for (std::size_t i = 6; i < text.size(); i += 3 + tied_.size())
-          node.rows.push_back({Normal({text[i], text[i + 1], text[i + 2]}),
-                               std::vector<double>(text.begin() + i + 3, text.begin() + i + 3 + tied_.size())});
+        for (std::size_t i = 6; i < text.size(); i += 3 + masters_.size())
+          node.rows.push_back({Vector3({text[i], text[i + 1], text[i + 2]}),
+                               std::vector<double>(text.begin() + i + 3, text.begin() + i + 3 + masters_.size())});
       }
 
-      const NodeSpace                       &space_;
-      std::vector<const BoundaryCondition *> tied_;
+      const NodeSpace              &space_;
+      std::vector<global_dof_index> masters_;    ///< by face that moves as one
+      std::vector<Vector3>          directions_; ///< likewise
     };
 
     /// Solves the rows for one free component each (Gauss and Jordan); rows that say nothing new go. What contradicts the others, in words.
@@ -228,18 +167,19 @@ namespace myolines
     }
 
     /// The names of the conditions on motion that meet at a node.
-    std::string names_at(const global_dof_index node, const std::vector<BoundaryCondition> &conditions, const NodeSpace &space)
+    std::string names_at(const global_dof_index node, const BoundaryConditions &conditions, const NodeSpace &space)
     {
       std::vector<std::string> names;
-      for (const BoundaryCondition &condition : conditions)
-        if (condition.prescribes_motion() || condition.constrains())
-          if (const auto &on_face = space.face_nodes(condition.face); std::find(on_face.begin(), on_face.end(), node) != on_face.end())
-            names.push_back("\"" + condition.name + "\"");
+      for (const auto &condition : conditions)
+        if (condition->facts().constrains())
+          if (const auto &on_face = space.face_nodes(condition->facts().face);
+              std::find(on_face.begin(), on_face.end(), node) != on_face.end())
+            names.push_back("\"" + condition->facts().name + "\"");
       return join(names, " and ");
     }
   } // namespace
 
-  BoundaryConstraints::BoundaryConstraints(const std::vector<BoundaryCondition> &conditions, const NodeSpace &space)
+  BoundaryConstraints::BoundaryConstraints(const BoundaryConditions &conditions, const NodeSpace &space)
   {
     Demands     demands(conditions, space);
     std::string problem;
@@ -262,7 +202,7 @@ namespace myolines
               others[3 * number + c] -= row.a[c];
           for (std::size_t k = 0; k < row.b.size(); ++k)
             for (unsigned int c = 0; c < 3; ++c)
-              others[3 * demands.master(k) + c] += row.b[k] * demands.tied()[k]->direction[c];
+              others[3 * demands.masters()[k] + c] += row.b[k] * demands.direction(k)[c];
           Relation relation{3 * number + row.pivot, {}};
           for (const auto &[index, weight] : others)
             if (std::abs(weight) > negligible)
@@ -272,8 +212,8 @@ namespace myolines
           relations.push_back(relation);
         }
     };
-    for (std::size_t k = 0; k < demands.tied().size(); ++k)
-      if (const auto found = demands.nodes.find(demands.master(k)); found != demands.nodes.end())
+    for (const global_dof_index master : demands.masters())
+      if (const auto found = demands.nodes.find(master); found != demands.nodes.end())
         {
           add(found->first, found->second);
           demands.nodes.erase(found);

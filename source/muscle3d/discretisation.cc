@@ -9,9 +9,9 @@ namespace myolines
     std::vector<dealii::types::boundary_id> faces_that_move_as_one(const Muscle3dParameters &parameters)
     {
       std::vector<dealii::types::boundary_id> faces;
-      for (const BoundaryCondition &condition : parameters.boundary)
-        if (condition.moves_as_one())
-          faces.push_back(condition.face);
+      for (const auto &condition : parameters.boundary)
+        if (condition->facts().moves_as_one)
+          faces.push_back(condition->facts().face);
       return faces;
     }
 

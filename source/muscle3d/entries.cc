@@ -69,14 +69,19 @@ namespace myolines
     node.refuse(parameter, "the direction has no length", "three finite numbers, not all zero");
   }
 
-  std::array<double, 3> read_direction(const Node &node, const std::string &parameter)
+  std::array<double, 3> read_vector(const Node &node, const std::string &parameter)
   {
     std::istringstream    words(node.text(parameter));
     std::array<double, 3> v{};
     std::string           rest;
     if (!(words >> v[0] >> v[1] >> v[2]) || (words >> rest))
       node.refuse(parameter, "\"" + node.text(parameter) + "\" is not a vector", "three numbers separated by spaces");
-    return unit_vector(v, node, parameter);
+    return v;
+  }
+
+  std::array<double, 3> read_direction(const Node &node, const std::string &parameter)
+  {
+    return unit_vector(read_vector(node, parameter), node, parameter);
   }
 
   void refuse_values_outside(const Node &node, const Drive &drive, const Range &range, const std::string &quantity)

@@ -19,13 +19,6 @@ namespace myolines
 
     Vector3 as_tensor(const std::array<double, 3> &x) { return Vector3({x[0], x[1], x[2]}); }
 
-    /// A condition at an end of a muscle, not one at its side.
-    bool is_at_end(const BoundaryCondition &condition)
-    {
-      return condition.prescribes_motion() || condition.moves_as_one() || condition.type == BoundaryCondition::Type::traction ||
-             condition.type == BoundaryCondition::Type::directed_traction;
-    }
-
     /// A face with such a condition; moved if one of them moves it.
     struct End
     {
@@ -33,13 +26,13 @@ namespace myolines
       bool         moved;
     };
 
-    std::vector<End> ends_of(const std::vector<BoundaryCondition> &boundary)
+    std::vector<End> ends_of(const std::vector<BoundaryFacts> &boundary)
     {
       std::vector<End> ends;
-      for (const BoundaryCondition &condition : boundary)
-        if (is_at_end(condition))
+      for (const BoundaryFacts &condition : boundary)
+        if (condition.end != MuscleEnd::none)
           {
-            const bool moved = condition.type != BoundaryCondition::Type::fixed;
+            const bool moved = condition.end == MuscleEnd::moved;
             const auto known = std::find_if(ends.begin(), ends.end(), [&](const End &end) { return end.face == condition.face; });
             if (known == ends.end())
               ends.push_back({condition.face, moved});
@@ -135,7 +128,7 @@ namespace myolines
     return schema;
   }
 
-  LineChoice find_line_of_action(const LineGiven &given, const Geometry &geometry, const std::vector<BoundaryCondition> &boundary)
+  LineChoice find_line_of_action(const LineGiven &given, const Geometry &geometry, const std::vector<BoundaryFacts> &boundary)
   {
     const bool           ours  = !geometry.mesh;
     std::optional<Faces> faces = given.faces;

@@ -39,7 +39,7 @@ namespace myolines
     model_ = kernel_model(parameters_, activation);
     u_     = point.u;
     u_.update_ghost_values();
-    if (model_.rate)
+    if (model_.rate || surface_.rates())
       {
         v_ = point.v;
         v_.update_ghost_values();
@@ -62,14 +62,22 @@ namespace myolines
 
   void Muscle3dLinearisation::find_faces(const Point &point)
   {
-    faces_ = surface_.tangents(point.t, point.side, u_, !parameters_.exact_tangent);
+    faces_ = surface_.tangents({point.t, point.side, u_, v_, point.a}, !parameters_.exact_tangent);
     if (faces_of_.empty())
       for (std::size_t i = 0; i < faces_.size(); ++i)
         faces_of_[faces_[i].cell->id()].push_back(i);
   }
 
-  void Muscle3dLinearisation::add_faces(const CellBatches &batches, const unsigned int b, const double weight,
-                                        double *element_matrices) const
+  namespace
+  {
+    /// w.u K + w.v C of a face.
+    double entry(const SurfaceForces::Tangent &face, const Weights &w, const unsigned int i, const unsigned int j)
+    {
+      return w.u * face.stiffness(i, j) + (face.damping.empty() ? 0. : w.v * face.damping(i, j));
+    }
+  } // namespace
+
+  void Muscle3dLinearisation::add_faces(const CellBatches &batches, const unsigned int b, const Weights &w, double *element_matrices) const
   {
     const std::size_t n = discretisation_.element.n_nodes, block = n * n * n_lanes;
     for (unsigned int lane = 0; lane < batches.n_filled(b); ++lane)
@@ -77,23 +85,23 @@ namespace myolines
         for (const std::size_t number : found->second)
           {
             const SurfaceForces::Tangent &face = faces_[number];
-            for (unsigned int ia = 0; ia < face.matrix.m(); ++ia)
-              for (unsigned int jc = 0; jc < face.matrix.n(); ++jc)
+            for (unsigned int ia = 0; ia < face.stiffness.m(); ++ia)
+              for (unsigned int jc = 0; jc < face.stiffness.n(); ++jc)
                 element_matrices[(3 * (ia % 3) + jc % 3) * block + (face.places[ia / 3] * n + face.places[jc / 3]) * n_lanes + lane] +=
-                    weight * face.matrix(ia, jc);
+                    entry(face, w, ia, jc);
           }
   }
 
-  void Muscle3dLinearisation::add_faces(const double weight, const Vector &x, Vector &y) const
+  void Muscle3dLinearisation::add_faces(const Weights &w, const Vector &x, Vector &y) const
   {
     for (const SurfaceForces::Tangent &face : faces_)
       if (face.cell->is_locally_owned())
-        for (unsigned int ia = 0; ia < face.matrix.m(); ++ia)
+        for (unsigned int ia = 0; ia < face.stiffness.m(); ++ia)
           {
             double sum = 0;
-            for (unsigned int jc = 0; jc < face.matrix.n(); ++jc)
-              sum += face.matrix(ia, jc) * x.local_element(3 * face.nodes[jc / 3] + jc % 3);
-            y.local_element(3 * face.nodes[ia / 3] + ia % 3) += weight * sum;
+            for (unsigned int jc = 0; jc < face.stiffness.n(); ++jc)
+              sum += entry(face, w, ia, jc) * x.local_element(3 * face.nodes[jc / 3] + jc % 3);
+            y.local_element(3 * face.nodes[ia / 3] + ia % 3) += sum;
           }
   }
 
@@ -124,8 +132,8 @@ namespace myolines
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
       discretisation_.kernels.apply(sweep.tables, model, sweep.cells(b), k, tangents.data() + b * size, x.begin(), y.begin(),
                                     discretisation_.scratch());
-    if (w.u != 0)
-      add_faces(w.u, x, y);
+    if (w.u != 0 || w.v != 0)
+      add_faces(w, x, y);
     y.compress(dealii::VectorOperation::add);
   }
 
@@ -166,8 +174,8 @@ namespace myolines
       {
         discretisation_.kernels.element_matrices(sweep.tables, model_, cells(sweep, b), k, u_.begin(), v_.begin(), element_matrices.data(),
                                                  discretisation_.scratch());
-        if (!faces_.empty() && w.u != 0)
-          add_faces(sweep.batches, b, w.u, element_matrices.data());
+        if (!faces_.empty() && (w.u != 0 || w.v != 0))
+          add_faces(sweep.batches, b, w, element_matrices.data());
         consume(b, element_matrices.data());
       }
     count_terms(model_, "assembly", ledger_);

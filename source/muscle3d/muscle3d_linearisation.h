@@ -54,8 +54,8 @@ namespace myolines
 
     void find_faces(const Point &point);
     /// Adds the tangents of forces on the faces of batch @p b to its element matrices.
-    void add_faces(const CellBatches &batches, unsigned int b, double weight, double *element_matrices) const;
-    void add_faces(double weight, const Vector &x, Vector &y) const;
+    void add_faces(const CellBatches &batches, unsigned int b, const Weights &w, double *element_matrices) const;
+    void add_faces(const Weights &w, const Vector &x, Vector &y) const;
 
     /// Quadrature with as few points as keep the stiffness, for preconditioners of a richer one.
     struct LeanCells

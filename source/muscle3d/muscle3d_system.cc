@@ -18,13 +18,13 @@ namespace myolines
 
   Muscle3dSystem::Muscle3dSystem(Muscle3dParameters parameters, std::shared_ptr<Muscle3dDiscretisation> discretisation, WorkLedger &ledger)
     : parameters_(std::move(parameters))
-    , line_(find_line_of_action(parameters_.line, parameters_.geometry, parameters_.boundary))
+    , line_(find_line_of_action(parameters_.line, parameters_.geometry, facts_of(parameters_.boundary)))
     , ledger_(ledger)
     , discretisation_(std::move(discretisation))
     , materials_(std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,
                                                   discretisation_->potential.get()))
-    , loads_(std::make_unique<Loads>(parameters_, *discretisation_))
     , surface_forces_(std::make_unique<SurfaceForces>(parameters_, *discretisation_))
+    , loads_(std::make_unique<Loads>(parameters_, *discretisation_, *surface_forces_))
   {
     // All ranks agree on what is wrong, that of the first rank that found something.
     const std::vector<std::string> problems = dealii::Utilities::MPI::all_gather(discretisation_->communicator, materials_->problem());
@@ -52,25 +52,18 @@ namespace myolines
     discretisation_->set_up(parameters_);
     materials_      = std::make_unique<PointMaterials>(parameters_, *discretisation_->batches, discretisation_->element,
                                                   discretisation_->potential.get());
-    loads_          = std::make_unique<Loads>(parameters_, *discretisation_);
     surface_forces_ = std::make_unique<SurfaceForces>(parameters_, *discretisation_);
+    loads_          = std::make_unique<Loads>(parameters_, *discretisation_, *surface_forces_);
   }
-
-  namespace
-  {
-    bool has_follower_pressure(const Muscle3dParameters &parameters)
-    {
-      return std::any_of(parameters.boundary.begin(), parameters.boundary.end(),
-                         [](const BoundaryCondition &c) { return c.type == BoundaryCondition::Type::follower_pressure; });
-    }
-  } // namespace
 
   Capabilities Muscle3dSystem::capabilities() const
   {
     Capabilities c;
     c.inertia           = parameters_.dynamic;
-    c.rates             = parameters_.dynamic && parameters_.active() && parameters_.muscle().fibre.force_velocity;
-    c.symmetric_tangent = !parameters_.exact_tangent || (!c.rates && !has_follower_pressure(parameters_));
+    const bool follows  = std::any_of(parameters_.boundary.begin(), parameters_.boundary.end(),
+                                      [](const auto &condition) { return condition->facts().follows; });
+    c.rates             = parameters_.force_velocity() || surface_forces_->rates();
+    c.symmetric_tangent = !parameters_.exact_tangent || (!parameters_.force_velocity() && !follows);
     c.energy            = parameters_.dynamic;
     c.orders            = {parameters_.dynamic ? 2u : 0u};
     c.splits            = splits();
@@ -115,7 +108,7 @@ namespace myolines
     ledger_.count("residual evaluations");
     const Muscle3dDiscretisation &d     = *discretisation_;
     const KernelModel             model = kernel_model(parameters_, activation(point.t, point.side));
-    const CurrentGhosts           u(point.u), v(point.v, model.rate), a(point.a, model.inertia);
+    const CurrentGhosts           u(point.u), v(point.v, model.rate || surface_forces_->rates()), a(point.a, model.inertia);
     const CellSweep               cells = sweep();
 
     r.zero_out_ghost_values();
@@ -136,7 +129,7 @@ namespace myolines
         r = std::numeric_limits<double>::quiet_NaN();
         return {false, "det F or the dilatation is not positive near " + where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
       }
-    double loads = surface_forces_->any() ? surface_forces_->subtract(point.t, point.side, u.vector(), r) : 0;
+    double loads = surface_forces_->any() ? surface_forces_->subtract({point.t, point.side, u.vector(), v.vector(), point.a}, r) : 0;
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
       loads += loads_->subtract_external(point.t, point.side, r);
@@ -200,9 +193,9 @@ namespace myolines
       const std::vector<double> kinks = drive.kinks(t0, t1);
       times.insert(times.end(), kinks.begin(), kinks.end());
     };
-    for (const BoundaryCondition &condition : parameters_.boundary)
-      if (condition.drive())
-        add(*condition.drive());
+    for (const auto &condition : parameters_.boundary)
+      for (const Drive *drive : condition->drives())
+        add(*drive);
     for (const Drive *drive : parameters_.activation_drives())
       add(*drive);
     return one_list(std::move(times));

@@ -184,7 +184,7 @@ namespace myolines
     p.line     = read_line_of_action(system, p.geometry);
     p.boundary = read_boundary(system.section("boundary"), p.geometry, p.line, p.dynamic);
 
-    const LineChoice line = find_line_of_action(p.line, p.geometry, p.boundary);
+    const LineChoice line = find_line_of_action(p.line, p.geometry, facts_of(p.boundary));
     if (!line.line && system.has("line of action"))
       system.refuse("line of action", "there is no such line: " + line.why_none,
                     "two faces \"from\" and \"to\" that are apart, a \"direction\"", "`myolines check` lists the faces");

@@ -2,39 +2,21 @@
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/muscle3d_system.h>
-#include <myolines/scene/numbers.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace myolines
 {
   namespace
   {
-    /// "load (x+)" of all conditions that @p tells something of, with what it tells.
-    std::string list_conditions(const Muscle3dParameters &p, const std::function<std::string(const BoundaryCondition &)> &tells)
+    /// "load (x+)" of all conditions of which @p says is not empty, with what it says.
+    std::string list_conditions(const Muscle3dParameters &p, const std::string BoundaryFacts::*says)
     {
       std::string text;
-      for (const BoundaryCondition &condition : p.boundary)
-        if (const std::string what = tells(condition); !what.empty())
+      for (const BoundaryFacts &condition : facts_of(p.boundary))
+        if (const std::string &what = condition.*says; !what.empty())
           text += (text.empty() ? "" : ", ") + condition.name + " (" + face_names(p.geometry)[condition.face] + ") " + what;
       return text;
-    }
-
-    std::string tie(const BoundaryCondition &condition)
-    {
-      if (condition.moves_as_one())
-        return std::string("moves as one") + (condition.held_across ? ", held across" : "");
-      return condition.type == BoundaryCondition::Type::symmetry ? "is a symmetry plane" : "";
-    }
-
-    std::string spring(const BoundaryCondition &condition)
-    {
-      if (condition.type == BoundaryCondition::Type::foundation)
-        return "stands on an elastic foundation";
-      if (condition.has_stop())
-        return "has a stop at " + scene::format_number(condition.stop_position) + " m";
-      return condition.type == BoundaryCondition::Type::tendon ? "is pulled by a tendon" : "";
     }
 
     /// Those of all ranks, each counted once: relations that only say that an unknown is zero are none between unknowns.
@@ -53,7 +35,7 @@ namespace myolines
     const auto                line = [](const std::string &term, const bool on, const std::string &why) {
       return std::string(on ? "on   " : "off  ") + term + ": " + why;
     };
-    const bool               rates = capabilities().rates;
+    const bool               rates = p.force_velocity();
     std::vector<std::string> lines;
     if (p.geometry.mesh)
       lines = p.geometry.mesh->report;
@@ -72,10 +54,11 @@ namespace myolines
                                                             : "nothing is active"));
     lines.push_back(line("passive fibres and base material", true, "always"));
     lines.push_back(line("body force", p.body_force.has_value(), p.body_force ? "given" : "not given"));
-    lines.push_back(line("tractions",
-                         std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return !c.constrains() && !c.is_spring(); }),
+    lines.push_back(line("tractions", std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return !c->facts().reacts(); }),
                          "faces without a condition are free"));
-    const std::string ties = list_conditions(p, tie), springs = list_conditions(p, spring);
+    if (const std::string motions = list_conditions(p, &BoundaryFacts::says_motion); !motions.empty())
+      lines.push_back(line("motion of faces", true, motions));
+    const std::string ties = list_conditions(p, &BoundaryFacts::says_tie), springs = list_conditions(p, &BoundaryFacts::says_spring);
     lines.push_back(line("ties", !ties.empty(),
                          ties.empty() ? "no face is a symmetry plane or moves as one"
                                       : ties + "; " + std::to_string(count_relations(*discretisation_)) + " relations between unknowns"));

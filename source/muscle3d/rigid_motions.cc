@@ -84,32 +84,28 @@ namespace myolines
       dealii::FEFaceValues<3>                      values(element, dealii::QGauss<2>(2),
                                                           dealii::update_values | dealii::update_normal_vectors | dealii::update_JxW_values);
       std::vector<dealii::types::global_dof_index> nodes(element.n_dofs_per_cell());
-      const dealii::Tensor<1, 3>                   along({condition.direction[0], condition.direction[1], condition.direction[2]});
       for (const auto &cell : space.nodes().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.face)
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.facts().face)
               {
                 values.reinit(cell, f);
                 cell->get_dof_indices(nodes);
                 const double size = std::pow(cell->diameter(), 2);
                 for (unsigned int q = 0; q < values.n_quadrature_points; ++q)
                   {
-                    std::array<Row, 3> motion{};
-                    Row                pulled{};
+                    std::array<Vector3, n_modes> motion;
                     for (unsigned int m = 0; m < n_modes; ++m)
                       for (unsigned int c = 0; c < 3; ++c)
-                        {
-                          for (unsigned int i = 0; i < nodes.size(); ++i)
-                            motion[c][m] += values.shape_value(i, q) * modes[m](3 * nodes[i] + c);
-                          pulled[m] += motion[c][m] * (condition.spring ? along[c] : values.normal_vector(q)[c]);
-                        }
-                    const double weight = values.JxW(q) / size;
-                    if (condition.spring || condition.normal_stiffness > 0)
-                      add_square(sum, pulled, weight);
-                    if (condition.stiffness > 0)
-                      for (const Row &row : motion)
-                        add_square(sum, row, weight);
+                        for (unsigned int i = 0; i < nodes.size(); ++i)
+                          motion[m][c] += values.shape_value(i, q) * modes[m](3 * nodes[i] + c);
+                    for (const Vector3 &direction : condition.held_directions(values.normal_vector(q)))
+                      {
+                        Row pulled;
+                        for (unsigned int m = 0; m < n_modes; ++m)
+                          pulled[m] = motion[m] * direction;
+                        add_square(sum, pulled, values.JxW(q) / size);
+                      }
                   }
               }
     }
@@ -133,9 +129,9 @@ namespace myolines
     const std::vector<Vector> modes = modes_of_size_one(space);
     Matrix6                   sum{};
     add_relations(discretisation.constraints.lines, space, modes, sum);
-    for (const BoundaryCondition &condition : parameters.boundary)
-      if (condition.is_spring())
-        add_springs(condition, space, modes, sum);
+    for (const auto &condition : parameters.boundary)
+      if (condition->facts().supports)
+        add_springs(*condition, space, modes, sum);
     for (Row &row : sum)
       for (double &x : row)
         x = dealii::Utilities::MPI::sum(x, space.communicator());

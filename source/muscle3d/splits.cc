@@ -95,7 +95,7 @@ namespace myolines
       {
         part.body_force.reset();
         part.boundary.erase(
-            std::remove_if(part.boundary.begin(), part.boundary.end(), [](const BoundaryCondition &c) { return !c.constrains(); }),
+            std::remove_if(part.boundary.begin(), part.boundary.end(), [](const auto &c) { return !c->facts().constrains(); }),
             part.boundary.end());
       }
     if (split == "volumetric")

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "places.h"
-
+#include <myolines/output/places.h>
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>

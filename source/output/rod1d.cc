@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "places.h"
-
 #include <myolines/output/csv_file.h>
 #include <myolines/output/dense_output.h>
 #include <myolines/output/energy_watch.h>
 #include <myolines/output/outputs.h>
 #include <myolines/output/periodic_output.h>
+#include <myolines/output/places.h>
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>

@@ -13,7 +13,8 @@ import re
 import sys
 
 LONGEST_FILE = 400
-SCANNED = ("include", "source", "integrators")
+SCANNED = ("include", "source", "integrators", "boundary", "outputs")
+REGISTRIES = {"integrators": "integrators", "boundary": "muscle3d", "outputs": "output"}  # folder of a registry: its room
 CODE = (".h", ".cc", ".py", ".sh")
 LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
@@ -59,8 +60,8 @@ def reachable(table, room):
 
 def room_of(path):
     parts = path.split("/")
-    if parts[0] == "integrators":
-        return "integrators"
+    if parts[0] in REGISTRIES:
+        return REGISTRIES[parts[0]]
     inside = parts[2:] if parts[0] == "include" else parts[1:]
     return inside[0] if len(inside) > 1 else os.path.splitext(inside[0])[0]
 
@@ -121,11 +122,13 @@ def cmake_violations(root, table):
 
 
 def registry_violations(root):
-    listed = re.findall(r"^MYOLINES_INTEGRATOR\((\w+)\)", read(os.path.join(root, "integrators/list.def")), flags=re.M)
-    present = [name[:-3] for name in os.listdir(os.path.join(root, "integrators")) if name.endswith(".cc")]
-    found = [f"integrators/list.def: {name} has no file integrators/{name}.cc" for name in listed if name not in present]
-    found += [f"integrators/{name}.cc has no line in integrators/list.def" for name in present if name not in listed]
-    found += [f"integrators/list.def: {name} is listed twice" for name in sorted(set(listed)) if listed.count(name) > 1]
+    found = []
+    for folder in REGISTRIES:
+        listed = re.findall(r"^MYOLINES_\w+\((\w+)\)", read(os.path.join(root, folder, "list.def")), flags=re.M)
+        present = [name[:-3] for name in os.listdir(os.path.join(root, folder)) if name.endswith(".cc")]
+        found += [f"{folder}/list.def: {name} has no file {folder}/{name}.cc" for name in listed if name not in present]
+        found += [f"{folder}/{name}.cc has no line in {folder}/list.def" for name in present if name not in listed]
+        found += [f"{folder}/list.def: {name} is listed twice" for name in sorted(set(listed)) if listed.count(name) > 1]
     return found
 
 
@@ -202,6 +205,9 @@ PLANTED = (
     ("tests/base/planted.cc", "\n" * (LONGEST_FILE + 1), f"more than {LONGEST_FILE}"),
     ("source/base/planted2.cc", "int x;\n", "no line SPDX"),
     ("integrators/planted2.cc", "\n", "has no line in integrators/list.def"),
+    ("boundary/planted.cc", "#include <myolines/output/outputs.h>\n", "muscle3d includes output"),
+    ("boundary/planted2.cc", "\n", "has no line in boundary/list.def"),
+    ("outputs/planted.cc", "\n", "has no line in outputs/list.def"),
     ("source/cli/planted2.cc", 'const char *advice = "bdf2 and sdirk2 do";\n', "the constant names the integrator bdf2"),
 )
 INNOCENT = (

@@ -2,6 +2,7 @@
 // A face that moves as one under a force, with a stop: closed forms, and the same body without a stop.
 #include "bar.h"
 
+#include <myolines/muscle3d/tendon_spring.h>
 #include <myolines/system/drive_types.h>
 
 namespace myolines
@@ -12,11 +13,10 @@ namespace myolines
 
     Condition afterload(const double force, const double stiffness, const double position)
     {
-      Condition c     = load(Type::isotonic, 1, force);
-      c.spring        = make_stop_spring(stiffness);
-      c.stop_position = position;
-      return c;
+      return condition("isotonic", 1, {set("force", force), set("stop/stiffness", stiffness), set("stop/position", position)});
     }
+
+    Condition pulled_by(const double force) { return condition("isotonic", 1, {set("force", force)}); }
 
     TEST(Stop, PushesOnlyWhereTheFaceIsBeyondIt)
     {
@@ -33,30 +33,29 @@ namespace myolines
     TEST(Stop, HoldsABarThatItsLoadStretches)
     {
       const double     position = 5e-4, stiffness = 1e4, force = 3;
-      test::Simulation stopped(bar({held(0, true, false, false), afterload(force, stiffness, position)}));
+      test::Simulation stopped(bar({held(0, "x"), afterload(force, stiffness, position)}));
       stopped.go("static", 1, 1., [](const State &) {});
       const double   q        = displacement(stopped, corner)[0];
       const Reaction reaction = measure_reactions(stopped.system, stopped.state).back();
       EXPECT_GT(q, position);
-      EXPECT_NEAR(reaction.stop, -stiffness * (q - position), 1e-12);
-      EXPECT_NEAR(reaction.force[0], force + reaction.stop, 1e-9);
+      EXPECT_NEAR(reaction.own[0], -stiffness * (q - position), 1e-12);
+      EXPECT_NEAR(reaction.force[0], force + reaction.own[0], 1e-9);
       EXPECT_NEAR(measure_body(stopped.system, stopped.state, SlabRule::quadrature_points).stored_springs,
                   stiffness / 2 * (q - position) * (q - position), 1e-15);
       EXPECT_EQ(reaction.power, 0);
 
-      test::Simulation pulled(bar({held(0, true, false, false), load(Type::isotonic, 1, force + reaction.stop)}));
+      test::Simulation pulled(bar({held(0, "x"), pulled_by(force + reaction.own[0])}));
       pulled.go("static", 1, 1., [](const State &) {});
       EXPECT_NEAR(displacement(pulled, corner)[0], q, 1e-11);
     }
 
     TEST(Stop, DoesNothingToAFaceThatDoesNotReachIt)
     {
-      test::Simulation with(bar({held(0, true, false, false), afterload(3, 1e6, 0.01)})),
-          without(bar({held(0, true, false, false), load(Type::isotonic, 1, 3)}));
+      test::Simulation with(bar({held(0, "x"), afterload(3, 1e6, 0.01)})), without(bar({held(0, "x"), pulled_by(3)}));
       with.go("static", 1, 1., [](const State &) {});
       without.go("static", 1, 1., [](const State &) {});
       EXPECT_NEAR(displacement(with, corner)[0], displacement(without, corner)[0], 1e-14);
-      EXPECT_EQ(measure_reactions(with.system, with.state).back().stop, 0);
+      EXPECT_EQ(measure_reactions(with.system, with.state).back().own[0], 0);
     }
 
     /// Length and forces of an active block, activated and relaxed in equal static steps, beside what they must be.
@@ -70,7 +69,7 @@ namespace myolines
       p.boundary           = {held(0), afterload(force, stiffness, 0)};
 
       Muscle3dParameters free = p; // without the stop: what the block does once it has left it
-      free.boundary[1]        = load(Type::isotonic, 1, force);
+      free.boundary[1]        = pulled_by(force);
 
       std::vector<double> length, stop, pull, length_of_free;
       test::Simulation    run(p), freely(free);
@@ -79,7 +78,7 @@ namespace myolines
           return;
         const Reaction reaction = measure_reactions(run.system, state).back();
         length.push_back(displacement(run, corner)[0]);
-        stop.push_back(reaction.stop);
+        stop.push_back(reaction.own[0]);
         pull.push_back(reaction.force[0]);
       });
       freely.go("static", 20, 1., [&](const State &state) {
@@ -113,7 +112,7 @@ namespace myolines
     /// energy stored in the stop at most. The trapezoidal rule loses none but where the face touches and leaves.
     double drift(const unsigned int steps)
     {
-      Muscle3dParameters p = bar({held(0, true, false, false), afterload(0.2, 2e3, 1e-4)});
+      Muscle3dParameters p = bar({held(0, "x"), afterload(0.2, 2e3, 1e-4)});
       p.dynamic            = true;
       test::Simulation run(p);
       double           largest = 0, stored = 0, last = 0;

@@ -7,42 +7,15 @@
 
 namespace myolines::test
 {
-  using Condition = BoundaryCondition;
-  using Type      = Condition::Type;
-
-  inline Condition condition(const Type type, const unsigned int face)
-  {
-    Condition c;
-    c.name       = "face " + std::to_string(face);
-    c.type       = type;
-    c.face       = face;
-    c.components = {{false, false, false}};
-    return c;
-  }
-
-  inline Condition load(const Type type, const unsigned int face, const double size)
-  {
-    Condition c = condition(type, face);
-    c.load      = size;
-    return c;
-  }
-
-  inline Condition held(const unsigned int face, const bool x = true, const bool y = true, const bool z = true)
-  {
-    Condition c  = condition(Type::fixed, face);
-    c.components = {{x, y, z}};
-    return c;
-  }
-
   /// A passive isotropic bar of 3 x 1 x 1 cm on symmetry planes.
-  inline Muscle3dParameters bar(const std::vector<Condition> &more)
+  inline Muscle3dParameters bar(const BoundaryConditions &more)
   {
     Muscle3dParameters p    = small_block(2, 3, 0);
     p.geometry.cells        = {{2, 1, 1}};
     p.dynamic               = false;
     p.activation            = nullptr;
     p.muscle().fibre.sigma0 = 0;
-    p.boundary              = {condition(Type::symmetry, 2), condition(Type::symmetry, 4)};
+    p.boundary              = {condition("symmetry plane", 2), condition("symmetry plane", 4)};
     p.boundary.insert(p.boundary.end(), more.begin(), more.end());
     return p;
   }

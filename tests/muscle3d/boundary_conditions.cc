@@ -3,6 +3,7 @@
 #include "bar.h"
 
 #include <myolines/materials/curves.h>
+#include <myolines/muscle3d/tendon_spring.h>
 #include <myolines/system/drive_types.h>
 
 namespace myolines
@@ -10,15 +11,21 @@ namespace myolines
   namespace
   {
     using namespace test;
-    using Vector3 = dealii::Tensor<1, 3>;
+
+    Condition pressed(const unsigned int face, const double pressure)
+    {
+      return condition("follower pressure", face, {set("pressure", pressure)});
+    }
+    Condition pulled(const double force) { return condition("isotonic", 1, {set("force", force)}); }
+    Condition loaded(const double traction) { return condition("directed traction", 1, {set("traction", traction)}); }
 
     TEST(FollowerPressure, CompressesEvenlyAsInClosedForm)
     {
-      Muscle3dParameters p    = bar({condition(Type::symmetry, 0)});
+      Muscle3dParameters p    = bar({condition("symmetry plane", 0)});
       p.muscle().bulk_modulus = 1e6;
       const double pressure   = 2e5; // the edges of dead loads would be wrong by J^(2/3)
       for (const unsigned int face : {1u, 3u, 5u})
-        p.boundary.push_back(load(Type::follower_pressure, face, pressure));
+        p.boundary.push_back(pressed(face, pressure));
       test::Simulation simulation(p, {"relative tolerance=1e-12"});
       simulation.go("static", 1, 1., [](const State &) {});
       // kappa/2 (J - 1/J) = -pressure
@@ -34,7 +41,7 @@ namespace myolines
       Muscle3dParameters p = test::small_block(2, 3, 1);
       p.activation         = nullptr;
       for (unsigned int face = 0; face < 6; ++face)
-        p.boundary.push_back(load(Type::follower_pressure, face, 1e4));
+        p.boundary.push_back(pressed(face, 1e4));
       WorkLedger     ledger;
       Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
       system.move_mesh(test::distort);
@@ -60,20 +67,14 @@ namespace myolines
 
     TEST(Foundation, GivesWayByLoadOverStiffness)
     {
-      Condition ground        = condition(Type::foundation, 0);
-      ground.normal_stiffness = 2e7;
-      ground.stiffness        = 1e7;
-      Condition        pull   = load(Type::directed_traction, 1, 1e4);
-      const auto       p      = bar({ground, pull});
-      test::Simulation simulation(p);
+      test::Simulation simulation(bar({condition("elastic foundation", 0, {"normal stiffness=2e7", "stiffness=1e7"}), loaded(1e4)}));
       simulation.go("static", 1, 1., [](const State &) {});
       // The bar thins on springs that hold it across: only their mean along x is known, from the balance of forces.
       const auto reactions = measure_reactions(simulation.system, simulation.state);
       EXPECT_NEAR(reactions[2].force[0], -1e4 * 1e-4, 1e-10);
       EXPECT_EQ(reactions[2].power, 0);
 
-      ground.stiffness = 0;
-      test::Simulation sliding(bar({ground, pull}));
+      test::Simulation sliding(bar({condition("elastic foundation", 0, {"normal stiffness=2e7"}), loaded(1e4)}));
       sliding.go("static", 1, 1., [](const State &) {});
       for (const dealii::Point<3> x : {dealii::Point<3>(0, 0, 0), dealii::Point<3>(0, 0.01, 0.003)})
         EXPECT_NEAR(displacement(sliding, x)[0], 1e4 / 2e7, 1e-13);
@@ -83,8 +84,7 @@ namespace myolines
 
     TEST(Isotonic, StretchesABarLikeTheSameTraction)
     {
-      test::Simulation force(bar({held(0, true, false, false), load(Type::isotonic, 1, 3.)})),
-          traction(bar({held(0, true, false, false), load(Type::directed_traction, 1, 3e4)}));
+      test::Simulation force(bar({held(0, "x"), pulled(3)})), traction(bar({held(0, "x"), loaded(3e4)}));
       force.go("static", 1, 1., [](const State &) {});
       traction.go("static", 1, 1., [](const State &) {});
       EXPECT_GT(displacement(force, corner)[0], 1e-3);
@@ -101,9 +101,7 @@ namespace myolines
         {
           Muscle3dParameters p = test::small_block(2, 3, 1);
           p.dynamic            = false;
-          Condition pull       = load(Type::isotonic, 1, 2.);
-          pull.held_across     = across;
-          p.boundary           = {held(0), pull};
+          p.boundary           = {held(0), condition("isotonic", 1, {"force=2", std::string("across=") + (across ? "held" : "free")})};
           test::Simulation simulation(p);
           simulation.go("static", 1, 1., [](const State &) {});
           const Vector3 u = displacement(simulation, corner), v = displacement(simulation, dealii::Point<3>(0.03, 0.004, 0.001));
@@ -119,18 +117,17 @@ namespace myolines
 
     TEST(TendonSpring, IsInEquilibriumWithTheBar)
     {
-      Condition tendon = condition(Type::tendon, 1);
-      tendon.spring    = make_linear_spring(1500);
-      tendon.profile   = std::make_shared<test::ConstantDrive>(0.004);
-      test::Simulation simulation(bar({held(0, true, false, false), tendon}));
+      const Condition tendon =
+          condition("tendon spring", 1, {"spring/type=linear", "spring/stiffness=1500", "motion/type=constant", "motion/value=0.004"});
+      test::Simulation simulation(bar({held(0, "x"), tendon}));
       simulation.go("static", 1, 1., [](const State &) {});
       const double q = displacement(simulation, corner)[0], F = 1500 * (0.004 - q);
       EXPECT_GT(q, 1e-3);
       EXPECT_NEAR(measure_reactions(simulation.system, simulation.state)[3].force[0], F, 1e-9);
       EXPECT_NEAR(measure_body(simulation.system, simulation.state, SlabRule::quadrature_points).stored_springs, F * F / 3000, 1e-12);
-      test::Simulation pulled(bar({held(0, true, false, false), load(Type::isotonic, 1, F)}));
-      pulled.go("static", 1, 1., [](const State &) {});
-      EXPECT_NEAR(displacement(pulled, corner)[0], q, 1e-11);
+      test::Simulation weighted(bar({held(0, "x"), pulled(F)}));
+      weighted.go("static", 1, 1., [](const State &) {});
+      EXPECT_NEAR(displacement(weighted, corner)[0], q, 1e-11);
     }
 
     TEST(TendonSpring, LawsAreConsistent)
@@ -183,17 +180,20 @@ namespace myolines
       return {{r[0], r[1], r[2]}};
     }
 
+    std::string direction(const std::array<double, 3> &v)
+    {
+      return set("direction", v[0]) + set(" ", v[1]).replace(1, 1, "") + set(" ", v[2]).replace(1, 1, "");
+    }
+
     /// An active block on three symmetry planes under an isotonic load and a foundation, turned in space.
     Vector3 pulled_block(const dealii::Tensor<2, 3> &R)
     {
       Muscle3dParameters p       = test::small_block(2, 3, 1);
       p.dynamic                  = false;
       p.muscle().fibre.direction = turned(R, {{std::cos(0.4), 0, std::sin(0.4)}});
-      Condition pull             = load(Type::isotonic, 1, 1.5);
-      pull.direction             = turned(R, {{1, 0, 0}});
-      Condition ground           = condition(Type::foundation, 5);
-      ground.normal_stiffness    = 1e6;
-      p.boundary                 = {condition(Type::symmetry, 0), condition(Type::symmetry, 2), pull, condition(Type::symmetry, 4), ground};
+      const Condition pull       = condition("isotonic", 1, {"force=1.5", direction(turned(R, {{1, 0, 0}}))});
+      const Condition ground     = condition("elastic foundation", 5, {"normal stiffness=1e6"});
+      p.boundary = {condition("symmetry plane", 0), condition("symmetry plane", 2), pull, condition("symmetry plane", 4), ground};
       test::Simulation simulation(p);
       simulation.system.move_mesh([&](const dealii::Point<3> &x) { return dealii::Point<3>(R * x); });
       simulation.state = simulation.system.initial_state(0);
@@ -220,9 +220,9 @@ namespace myolines
         p.geometry.cells           = {{2, half ? 1u : 2u, 1}};
         p.dynamic                  = false;
         p.muscle().fibre.direction = turned(R, {{std::cos(0.4), 0, std::sin(0.4)}});
-        p.boundary                 = {held(0), load(Type::follower_pressure, 5, 5e3)};
+        p.boundary                 = {held(0), pressed(5, 5e3)};
         if (half)
-          p.boundary.push_back(condition(Type::symmetry, 3)); // y+, the middle of the whole
+          p.boundary.push_back(condition("symmetry plane", 3)); // y+, the middle of the whole
         test::Simulation simulation(p);
         simulation.system.move_mesh([&](const dealii::Point<3> &x) { return dealii::Point<3>(R * x); });
         simulation.state = simulation.system.initial_state(0);
@@ -241,15 +241,14 @@ namespace myolines
       p.geometry.cells           = {{2, 1, 1}};
       p.muscle().fibre.direction = {{1, 0, 0}};
       p.activation               = std::make_shared<SmoothStep>(0.4, 0., 0.05, 1.);
-      Condition tendon           = condition(Type::tendon, 1);
-      tendon.direction           = {{0.8, 0, 0.6}};
-      tendon.spring              = make_linear_spring(2000);
-      tendon.profile             = std::make_shared<SmoothStep>(0.001, 0., 0.05, 1.);
-      Condition ground           = condition(Type::foundation, 0);
-      ground.stiffness           = 3e6;
-      Condition press            = load(Type::follower_pressure, 3, 2e3);
-      press.profile              = std::make_shared<SmoothStep>(1., 0., 0.05, 1.);
-      p.boundary                 = {tendon, ground, press, condition(Type::symmetry, 2)};
+      const auto rise            = [](const std::string &list, const double height) {
+        return std::vector<std::string>{list + "/type=smooth step", set(list + "/amplitude", height), list + "/duration=0.05"};
+      };
+      std::vector<std::string> tendon = rise("motion", 0.001), press = rise("profile", 1);
+      tendon.insert(tendon.end(), {"direction=0.8 0 0.6", "spring/type=linear", "spring/stiffness=2000"});
+      press.push_back("pressure=2e3");
+      p.boundary = {condition("tendon spring", 1, tendon), condition("elastic foundation", 0, {"stiffness=3e6"}),
+                    condition("follower pressure", 3, press), condition("symmetry plane", 2)};
       test::Simulation run(p);
       double           supplied = 0, rate = 0, t = 0, first = 0, energy = 0, largest = 0;
       bool             started = false;
@@ -286,9 +285,7 @@ namespace myolines
     {
       Muscle3dParameters p = test::small_block(2, 3, 0);
       p.activation         = nullptr;
-      Condition pull       = load(Type::isotonic, 1, 0.01);
-      pull.direction       = {{0.6, 0, 0.8}};
-      p.boundary           = {pull};
+      p.boundary           = {condition("isotonic", 1, {"force=0.01", "direction=0.6 0 0.8"})};
       for (const IntegratorEntry &entry : integrator_registry())
         {
           if (!entry.facts.dynamic || !entry.make)

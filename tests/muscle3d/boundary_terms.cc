@@ -12,38 +12,17 @@ namespace myolines
 {
   namespace
   {
-    using Condition = BoundaryCondition;
-    using Type      = Condition::Type;
+    using test::condition;
 
-    Condition condition(const Type type, const unsigned int face)
+    BoundaryConditions everything()
     {
-      Condition c;
-      c.name       = "face " + std::to_string(face) + " of type " + std::to_string(static_cast<int>(type));
-      c.type       = type;
-      c.face       = face;
-      c.components = {{false, false, false}};
-      return c;
-    }
-
-    std::vector<Condition> everything()
-    {
-      Condition follower          = condition(Type::follower_pressure, 3);
-      follower.load               = 2e5;
-      follower.low[0]             = 0.005;
-      Condition foundation        = condition(Type::foundation, 4);
-      foundation.stiffness        = 3e7;
-      foundation.normal_stiffness = 1e8;
-      Condition tendon            = condition(Type::tendon, 1);
-      tendon.direction            = {{0.8, 0, 0.6}};
-      tendon.spring               = make_tendinous_spring(20, 0.05);
-      tendon.profile              = std::make_shared<test::ConstantDrive>(0.004);
-      Condition isotonic          = condition(Type::isotonic, 0);
-      isotonic.direction          = {{0.6, 0.8, 0}};
-      isotonic.load               = -3;
-      isotonic.held_across        = true;
-      isotonic.spring             = make_stop_spring(1e6);
-      isotonic.stop_position      = 2e-4; // touched by a part of the points of this state
-      return {follower, foundation, tendon, isotonic};
+      return {condition("follower pressure", 3, {"pressure=2e5", "x from=0.005"}),
+              condition("elastic foundation", 4, {"stiffness=3e7", "normal stiffness=1e8"}),
+              condition("tendon spring", 1,
+                        {"direction=0.8 0 0.6", "spring/type=tendinous", "spring/force=20", "spring/slack length=0.05",
+                         "motion/type=constant", "motion/value=0.004"}),
+              // its stop is touched by a part of the points of this state
+              condition("isotonic", 0, {"direction=0.6 0.8 0", "force=3", "across=held", "stop/stiffness=1e6", "stop/position=2e-4"})};
     }
 
     /// A muscle at a smooth state, its mesh turned or distorted by a map.
@@ -94,7 +73,7 @@ namespace myolines
       State                          state;
     };
 
-    Muscle3dParameters parameters(const unsigned int degree, const std::vector<Condition> &boundary, const unsigned int refinement = 1)
+    Muscle3dParameters parameters(const unsigned int degree, const BoundaryConditions &boundary, const unsigned int refinement = 1)
     {
       Muscle3dParameters p = test::small_block(degree, degree + 1, refinement);
       p.dynamic            = false;
@@ -213,13 +192,10 @@ namespace myolines
 
     TEST(PMultigridWithRelations, SolvesLikeTheFactorisationInFewIterations)
     {
-      Condition oblique = condition(Type::isotonic, 1), straight = oblique, held = oblique;
-      oblique.direction = {{0.9, 0.3, std::sqrt(0.1)}};
-      held.held_across  = true;
-      const std::vector<Condition> mirrored{condition(Type::symmetry, 0), condition(Type::symmetry, 2), condition(Type::symmetry, 4)};
-      Condition                    end = condition(Type::fixed, 0);
-      end.components                   = {{true, true, true}};
-      const std::vector<std::vector<Condition>> cases{
+      const auto straight = condition("isotonic", 1, {"force=0"}), held = condition("isotonic", 1, {"force=0", "across=held"}),
+                 oblique = condition("isotonic", 1, {"force=0", "direction=0.9 0.3 0.31622776601683794"}), end = test::held(0);
+      const BoundaryConditions mirrored{condition("symmetry plane", 0), condition("symmetry plane", 2), condition("symmetry plane", 4)};
+      const std::vector<BoundaryConditions> cases{
           mirrored, {end, straight}, {end, held}, {end, oblique}, {mirrored[0], mirrored[1], mirrored[2], oblique}};
       for (std::size_t i = 0; i < cases.size(); ++i)
         for (const unsigned int degree : {2u, 3u})
@@ -248,42 +224,33 @@ namespace myolines
 
     TEST(Relations, ContradictionsAreRefused)
     {
-      Condition fixed  = condition(Type::fixed, 2);
-      fixed.components = {{true, true, true}};
-      Condition  pull  = condition(Type::isotonic, 1); // meets face 2
+      const auto pull = condition("isotonic", 1, {"force=0"}); // meets face 2
       WorkLedger ledger;
-      EXPECT_THROW(Muscle3dSystem(parameters(2, {fixed, pull}), MPI_COMM_WORLD, ledger), InputError);
-      fixed.components = {{false, true, true}};
-      EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {fixed, pull}), MPI_COMM_WORLD, ledger));
+      EXPECT_THROW(Muscle3dSystem(parameters(2, {test::held(2), pull}), MPI_COMM_WORLD, ledger), InputError);
+      EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {test::held(2, "y z"), pull}), MPI_COMM_WORLD, ledger));
 
-      Condition moved        = fixed;
-      moved.type             = Type::strain;
-      moved.components       = {{true, true, true}};
-      moved.reference_length = 1;
-      moved.strain           = std::make_shared<test::ConstantDrive>(0.);
-      Condition mirror       = condition(Type::symmetry, 1);
-      moved.name             = "lengthening";
-      mirror.name            = "mirror";
+      const auto moved = [](const std::string &direction) {
+        return condition("strain", 2, {"direction=" + direction, "reference length=1", "strain/type=constant", "strain/value=0"},
+                         "lengthening");
+      };
+      const auto mirror = [](const unsigned int face) { return condition("symmetry plane", face, {}, "mirror"); };
       try
         {
-          Muscle3dSystem(parameters(2, {moved, mirror}), MPI_COMM_WORLD, ledger);
+          Muscle3dSystem(parameters(2, {moved("1 0 0"), mirror(1)}), MPI_COMM_WORLD, ledger);
           ADD_FAILURE() << "moves across a mirror";
         }
       catch (const InputError &error)
         {
           EXPECT_NE(std::string(error.what()).find("\"lengthening\" and \"mirror\""), std::string::npos) << error.what();
         }
-      mirror.face = 4; // the vertex where all coordinates are smallest is node 0
-      EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {moved, mirror}), MPI_COMM_WORLD, ledger));
-      moved.direction = {{0, 0, 1}};
-      EXPECT_THROW(Muscle3dSystem(parameters(2, {moved, mirror}), MPI_COMM_WORLD, ledger), InputError);
-      moved.direction = {{1, 0, 0}};
-      EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {moved, condition(Type::symmetry, 4)}), MPI_COMM_WORLD, ledger));
+      // the vertex of face 4 where all coordinates are smallest is node 0
+      EXPECT_NO_THROW(Muscle3dSystem(parameters(2, {moved("1 0 0"), mirror(4)}), MPI_COMM_WORLD, ledger));
+      EXPECT_THROW(Muscle3dSystem(parameters(2, {moved("0 0 1"), mirror(4)}), MPI_COMM_WORLD, ledger), InputError);
 
       Muscle3dSystem bent(parameters(2, {}), MPI_COMM_WORLD, ledger);
       const auto     sine = [](const dealii::Point<3> &x) { return dealii::Point<3>(x[0], x[1] + 0.01 * std::sin(50 * x[0]), x[2]); };
       EXPECT_NO_THROW(bent.move_mesh(sine));
-      Muscle3dSystem mirrored(parameters(2, {condition(Type::symmetry, 2)}), MPI_COMM_WORLD, ledger);
+      Muscle3dSystem mirrored(parameters(2, {condition("symmetry plane", 2)}), MPI_COMM_WORLD, ledger);
       EXPECT_THROW(mirrored.move_mesh(sine), InputError);
     }
   } // namespace

@@ -34,7 +34,7 @@ namespace myolines
       Muscle3dParameters p       = test::small_block(2, 3, 1);
       p.muscle().fibre.direction = {{std::cos(0.5), 0, std::sin(0.5)}};
       p.activation               = std::make_shared<SmoothRise>(0.5);
-      p.boundary                 = test::pulled_ends(p, std::make_shared<SmoothRise>(0.03));
+      p.boundary                 = test::slowly_pulled_ends(p, 0.03);
       return p;
     }
 

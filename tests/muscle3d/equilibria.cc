@@ -12,7 +12,7 @@ namespace myolines
       Muscle3dParameters p = test::small_block(2, 3, 0);
       p.dynamic            = false;
       p.activation         = testing::sine(0.3, 10);
-      p.boundary           = test::pulled_ends(p, testing::sine(0.05, 8));
+      p.boundary           = test::pulled_ends(p, 0.05, 8 / (2 * dealii::numbers::PI));
       return p;
     }
 

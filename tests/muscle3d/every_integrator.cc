@@ -29,7 +29,7 @@ namespace myolines
     {
       Muscle3dParameters p = test::small_block(2, 3, 0);
       p.activation         = std::make_shared<Rise>(0.5);
-      p.boundary           = test::pulled_ends(p, std::make_shared<Rise>(0.03));
+      p.boundary           = test::slowly_pulled_ends(p, 0.03);
       return p;
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "../support/conditions.h"
+
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/muscle3d_system.h>
 
@@ -27,23 +29,24 @@ namespace myolines::test
   };
 
   /// The ends of a block along x, both held.
-  inline std::vector<BoundaryCondition> held_ends()
+  inline BoundaryConditions held_ends() { return {held(1, "x y z", "moving end"), held(0, "x y z", "fixed end")}; }
+
+  /// The same of the block @p p, the right end moved along x by the strain offset + amplitude sin(2 pi frequency t + phase).
+  inline BoundaryConditions pulled_ends(const Muscle3dParameters &p, const double amplitude, const double frequency, const double phase = 0,
+                                        const double offset = 0)
   {
-    BoundaryCondition left, right;
-    left.name  = "fixed end";
-    right.name = "moving end";
-    right.face = 1;
-    return {right, left};
+    const Condition pulled =
+        condition("strain", 1,
+                  {"strain/type=sine", set("strain/amplitude", amplitude), set("strain/frequency", frequency), set("strain/phase", phase),
+                   set("strain/offset", offset), set("reference length", p.geometry.size[0])},
+                  "moving end");
+    return {pulled, held(0, "x y z", "fixed end")};
   }
 
-  /// The same of the block @p p, the right end moved along x by @p strain of its length.
-  inline std::vector<BoundaryCondition> pulled_ends(const Muscle3dParameters &p, std::shared_ptr<const Drive> strain)
+  /// The strain height/2 (1 - cos(10 pi t)).
+  inline BoundaryConditions slowly_pulled_ends(const Muscle3dParameters &p, const double height)
   {
-    std::vector<BoundaryCondition> ends = held_ends();
-    ends[0].type                        = BoundaryCondition::Type::strain;
-    ends[0].reference_length            = p.geometry.size[0];
-    ends[0].strain                      = std::move(strain);
-    return ends;
+    return pulled_ends(p, height / 2, 5, -90, height / 2);
   }
 
   /// A small pennate block, fully active, no boundary conditions.

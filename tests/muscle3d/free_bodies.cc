@@ -3,6 +3,7 @@
 
 #include "simulation.h"
 
+#include <myolines/muscle3d/measurements.h>
 #include <myolines/muscle3d/rigid_motions.h>
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@ namespace myolines
 {
   namespace
   {
-    using Type = BoundaryCondition::Type;
+    using test::condition;
+    using test::held;
 
     Muscle3dParameters passive_block()
     {
@@ -21,27 +23,13 @@ namespace myolines
       return p;
     }
 
-    BoundaryCondition condition(const Type type, const unsigned int face)
+    test::Condition springs(const double stiffness, const double normal_stiffness)
     {
-      BoundaryCondition c;
-      c.name = "condition " + std::to_string(face);
-      c.type = type;
-      c.face = face;
-      if (type != Type::fixed)
-        c.components = {{false, false, false}};
-      return c;
-    }
-
-    BoundaryCondition springs(const double stiffness, const double normal_stiffness)
-    {
-      BoundaryCondition c = condition(Type::foundation, 0);
-      c.stiffness         = stiffness;
-      c.normal_stiffness  = normal_stiffness;
-      return c;
+      return condition("elastic foundation", 0, {test::set("stiffness", stiffness), test::set("normal stiffness", normal_stiffness)});
     }
 
     /// Free translations and rotations.
-    std::pair<unsigned int, unsigned int> free_with(const std::vector<BoundaryCondition> &conditions)
+    std::pair<unsigned int, unsigned int> free_with(const BoundaryConditions &conditions)
     {
       Muscle3dParameters p = passive_block();
       p.boundary           = conditions;
@@ -55,16 +43,14 @@ namespace myolines
     TEST(FreeMotions, AreThoseThatNothingResists)
     {
       EXPECT_EQ(free_with({}), Numbers(3, 3));
-      EXPECT_EQ(free_with({condition(Type::fixed, 0)}), Numbers(0, 0));
-      EXPECT_EQ(free_with({condition(Type::symmetry, 0)}), Numbers(2, 1));
-      EXPECT_EQ(free_with({condition(Type::symmetry, 0), condition(Type::symmetry, 2)}), Numbers(1, 0));
-      EXPECT_EQ(free_with({condition(Type::isotonic, 1)}), Numbers(3, 1)); // the face stays a plane across x
+      EXPECT_EQ(free_with({held(0)}), Numbers(0, 0));
+      EXPECT_EQ(free_with({condition("symmetry plane", 0)}), Numbers(2, 1));
+      EXPECT_EQ(free_with({condition("symmetry plane", 0), condition("symmetry plane", 2)}), Numbers(1, 0));
+      EXPECT_EQ(free_with({condition("isotonic", 1, {"force=0"})}), Numbers(3, 1)); // the face stays a plane across x
       EXPECT_EQ(free_with({springs(1, 0)}), Numbers(0, 0));
       EXPECT_EQ(free_with({springs(0, 1)}), Numbers(2, 1));
-      EXPECT_EQ(free_with({condition(Type::pressure, 1)}), Numbers(3, 3));
-      BoundaryCondition lengthwise = condition(Type::fixed, 0);
-      lengthwise.components        = {{true, false, false}};
-      EXPECT_EQ(free_with({lengthwise}), Numbers(2, 1));
+      EXPECT_EQ(free_with({condition("pressure", 1, {"pressure=1"})}), Numbers(3, 3));
+      EXPECT_EQ(free_with({held(0, "x")}), Numbers(2, 1));
     }
 
     constexpr double density = 1060;
@@ -133,7 +119,7 @@ namespace myolines
     TEST(InitialMotion, IsThatOfTheFormulasWhereNothingIsPrescribed)
     {
       Muscle3dParameters p   = passive_block();
-      p.boundary             = {condition(Type::fixed, 0)};
+      p.boundary             = {held(0)};
       p.initial.displacement = std::array<std::string, 3>{{"0.1*x", "0.02*z", "1e-4"}};
       WorkLedger           ledger;
       const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);

@@ -45,16 +45,7 @@ namespace myolines
                                           "^(-8/3)))*" + ds + "-" + C + "*4/3*" + g + "*" + s + "^(-5/3)*" + dg + ")",
                                       "0", "-(2*" + C + "*(" + s + "^(-2/3)*" + dg + "-2/3*" + s + "^(-5/3)*" + g + "*" + ds + "))"}};
       for (unsigned int face = 0; face < 6; ++face)
-        {
-          BoundaryCondition condition;
-          condition.name         = std::to_string(face);
-          condition.type         = BoundaryCondition::Type::formula;
-          condition.face         = face;
-          condition.displacement = {{u_x, "0", u_z}};
-          condition.velocity     = {{"0", "0", "0"}};
-          condition.acceleration = condition.velocity;
-          p.boundary.push_back(condition);
-        }
+        p.boundary.push_back(test::condition("formula", face, {"displacement x=" + u_x, "displacement z=" + u_z}));
       return p;
     }
 

@@ -254,7 +254,7 @@ namespace myolines
           Muscle3dParameters p = test::small_block(2, 3, 0);
           p.geometry.cells     = {{2, 1, 1}};
           p.activation         = std::make_shared<test::ConstantDrive>(0.35);
-          p.boundary           = {test::held(0), test::load(BoundaryCondition::Type::isotonic, 1, 3.)};
+          p.boundary           = {test::held(0), test::condition("isotonic", 1, {"force=3"})};
           test::Simulation simulation(p, {});
           start_from_equilibrium({simulation.system, simulation.solvers.nonlinear, BoundaryRates::exact, simulation.solvers.ledger},
                                  simulation.state);

@@ -8,13 +8,6 @@ namespace myolines
 {
   namespace
   {
-    BoundaryCondition fixed_end()
-    {
-      BoundaryCondition condition;
-      condition.name = "fixed end";
-      return condition;
-    }
-
     struct MultigridCase
     {
       unsigned int degree, n_points, refinement;
@@ -60,7 +53,7 @@ namespace myolines
         p.activation            = c.activation > 0 ? std::make_shared<test::ConstantDrive>(c.activation) : nullptr;
         p.exact_tangent         = c.exact_tangent;
         p.muscle().bulk_modulus = c.bulk_modulus;
-        p.boundary              = {fixed_end()};
+        p.boundary              = {test::held(0)};
         return p;
       }
 

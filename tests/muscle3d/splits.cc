@@ -59,13 +59,7 @@ namespace myolines
       Muscle3dParameters p = small_block();
       p.activation         = std::move(activation);
       p.body_force         = std::array<std::string, 3>{{"1e4*x", "2", "0"}};
-      BoundaryCondition pull;
-      pull.name       = "pull";
-      pull.type       = BoundaryCondition::Type::traction;
-      pull.face       = 1;
-      pull.components = {{false, false, false}};
-      pull.traction   = {{"3e4", "0", "1e3*y"}};
-      p.boundary      = {pull};
+      p.boundary           = {test::condition("traction", 1, {"traction x=3e4", "traction z=1e3*y"})};
       return p;
     }
 

@@ -23,12 +23,7 @@ namespace myolines
       p.muscle().fibre.direction                = p.geometry.gastrocnemius->fibre_direction();
       p.tissues[aponeurosis_id].fibre.direction = p.geometry.gastrocnemius->aponeurosis_direction();
       for (const unsigned int face : {0u, 1u})
-        {
-          BoundaryCondition held;
-          held.name = "held " + std::to_string(face);
-          held.face = face;
-          p.boundary.push_back(held);
-        }
+        p.boundary.push_back(test::held(face));
       return p;
     }
 
@@ -78,15 +73,7 @@ namespace myolines
     {
       Muscle3dParameters p = test::small_block(2, 3, 1);
       p.activation         = std::make_shared<test::ConstantDrive>(0.2);
-      BoundaryCondition held, moved;
-      held.name          = "held";
-      moved.name         = "moved";
-      moved.face         = 1;
-      moved.type         = BoundaryCondition::Type::formula;
-      moved.displacement = {{"1e-3+0.1*t", "0", "0"}};
-      moved.velocity     = {{"0.1", "0", "0"}};
-      moved.acceleration = {{"0", "0", "0"}};
-      p.boundary         = {held, moved};
+      p.boundary           = {test::held(0), test::condition("formula", 1, {"displacement x=1e-3+0.1*t", "velocity x=0.1"})};
       test::Simulation dynamic(p);
       start_from_equilibrium(context(dynamic), dynamic.state);
       p.dynamic = false;
@@ -106,9 +93,7 @@ namespace myolines
     {
       Muscle3dParameters p = test::small_block(2, 3, 1);
       p.activation         = std::make_shared<test::ConstantDrive>(0.2);
-      BoundaryCondition held;
-      held.name  = "held";
-      p.boundary = {held};
+      p.boundary           = {test::held(0)};
       test::Simulation whole(p), parts(p, {"relative tolerance=1e-10", "maximum iterations=4"});
       start_from_equilibrium(context(whole), whole.state);
       start_from_equilibrium(context(parts), parts.state);

@@ -7,6 +7,7 @@
 #include <myolines/muscle3d/measurements.h>
 #include <myolines/output/outputs.h>
 
+#include "../support/conditions.h"
 #include "folder.h"
 
 #include <cmath>
@@ -29,13 +30,7 @@ namespace
     std::vector<double> kinks(double, double) const override { return {}; }
   };
 
-  BoundaryCondition fixed(const std::string &name, const unsigned int face)
-  {
-    BoundaryCondition condition;
-    condition.name = name;
-    condition.face = face;
-    return condition;
-  }
+  test::Condition fixed(const std::string &name, const unsigned int face) { return test::held(face, "x y z", name); }
 
   /// 3 x 1 x 2 cm, eight cells along x so that the slab is exactly the two in the middle; pennation 30 degrees.
   Muscle3dParameters block()

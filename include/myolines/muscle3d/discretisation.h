@@ -33,19 +33,18 @@ namespace myolines
   };
 
   /// What boundary conditions do to the unknowns of a space: lines of the prescribed ones, and relations, each after those that it
-  /// needs. A symmetry plane with normal N gives u.N = 0 at its nodes; a face that moves as one along n gives u.n = q, where
-  /// q = u.n at the node of the face that all ranks know, which is free of it.
-  /// @throws InputError, on all ranks, where conditions that meet on an edge contradict each other, and for symmetry planes that are not
-  /// plane.
+  /// needs. A tie that moves the face along n gives u.n = q, where q = u.n at the node of the face that all ranks know, which is free of it.
+  /// @throws InputError, on all ranks, where conditions that meet on an edge contradict each other, and for faces that have not the shape
+  /// of their condition.
   struct BoundaryConstraints
   {
     BoundaryConstraints() = default;
-    BoundaryConstraints(const std::vector<BoundaryCondition> &conditions, const NodeSpace &space);
+    BoundaryConstraints(const BoundaryConditions &conditions, const NodeSpace &space);
 
     Constraints           lines; ///< closed
     std::vector<Relation> relations;
 
-    /// By name of a symmetry plane or of a face that moves as one: the components along which it holds.
+    /// By name of a condition that ties a face: the components along which it holds.
     std::map<std::string, std::array<bool, 3>> held;
   };
 

@@ -25,7 +25,9 @@ namespace myolines
 
   /// v over its length. @throws InputError at @p parameter if that is zero or not finite.
   std::array<double, 3> unit_vector(const std::array<double, 3> &v, const scene::Node &node, const std::string &parameter);
-  /// The unit vector of a text "x y z". @throws InputError
+  /// The vector of a text "x y z". @throws InputError
+  std::array<double, 3> read_vector(const scene::Node &node, const std::string &parameter);
+  /// Its unit vector. @throws InputError
   std::array<double, 3> read_direction(const scene::Node &node, const std::string &parameter);
 
   /// @throws InputError if @p drive leaves @p range at its ends, at its kinks or at many instants of the first second.

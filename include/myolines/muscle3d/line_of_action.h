@@ -52,7 +52,7 @@ namespace myolines
   /// Where nothing is given, bodies of our own are measured along x, as in the thesis. The line of a mesh points from one to another of the
   /// faces that are held, moved or loaded by a dead traction, the two farthest apart if there are more: towards the one that moves; of two
   /// alike, towards the first in the scene.
-  LineChoice find_line_of_action(const LineGiven &given, const Geometry &geometry, const std::vector<BoundaryCondition> &boundary);
+  LineChoice find_line_of_action(const LineGiven &given, const Geometry &geometry, const std::vector<BoundaryFacts> &boundary);
 
   /// Declaration of the list `line of action` in the list `system`, and its reading. @throws InputError for faces that the body does not
   /// have, and directions of length zero.

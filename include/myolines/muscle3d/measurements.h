@@ -96,9 +96,9 @@ namespace myolines
   /// Of the whole body in motion.
   struct Momenta
   {
-    double               mass = 0;        ///< [kg]
-    dealii::Tensor<1, 3> centre;          ///< of mass, deformed [m]
-    dealii::Tensor<1, 3> momentum;        ///< int rho v [kg m/s]
+    double               mass = 0;         ///< [kg]
+    dealii::Tensor<1, 3> centre;           ///< of mass, deformed [m]
+    dealii::Tensor<1, 3> momentum;         ///< int rho v [kg m/s]
     dealii::Tensor<1, 3> angular_momentum; ///< int rho (x - centre) x v, about the centre of mass [kg m^2/s]
   };
   /// Density is per reference volume. Collective.
@@ -120,16 +120,15 @@ namespace myolines
   /// Estimate (6.2.15) of the force that acts on @p face from the quadrature points of the cell nearest to it [N].
   Parts<dealii::Tensor<1, 3>> interior_point_force(const Muscle3dSystem &system, const State &state, unsigned int face);
 
-  /// Force with which each boundary condition that prescribes or ties motion pulls on the muscle: the residual summed over its
-  /// components [N], in the order of the scene. An unknown on a shared edge belongs to the later condition. Isotonic loads,
-  /// their stops and tendons add the force with which they pull; that of a foundation is that of its springs, which do no work of their
-  /// own.
+  /// Force with which each boundary condition that reacts pulls on the muscle, in the order of the scene: the residual summed over the
+  /// components that it prescribes or ties, and its loads and the forces of its springs and dashpots. An unknown on a shared edge belongs
+  /// to the later condition.
   struct Reaction
   {
-    std::string          condition;
-    dealii::Tensor<1, 3> force;
-    double               power = 0; ///< its work rate, force times prescribed velocity [W]
-    double               stop  = 0; ///< part of the force along n that the stop of an isotonic face pushes with [N]
+    std::string         condition;
+    Vector3             force;     ///< [N]
+    double              power = 0; ///< of the residual at the prescribed velocity [W]
+    std::vector<double> own;       ///< columns that the condition adds
   };
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state, Side side = Side::left);
 

@@ -88,8 +88,8 @@ namespace myolines
     WorkLedger                             &ledger_;
     std::shared_ptr<Muscle3dDiscretisation> discretisation_; ///< that of its implicit parts too
     std::unique_ptr<PointMaterials>         materials_;
-    std::unique_ptr<Loads>                  loads_;
     std::unique_ptr<SurfaceForces>          surface_forces_;
+    std::unique_ptr<Loads>                  loads_;
   };
 
   /// Sizes of a muscle, estimated from its parameters before anything is made. Numbers, as they may be beyond all integers.

@@ -35,7 +35,7 @@ namespace myolines
     Geometry                                  geometry;
     std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}}; ///< of the cells, by material id
     BodyFields                                fields;
-    std::vector<BoundaryCondition>            boundary;
+    BoundaryConditions                        boundary;
     InitialMotion                             initial;
     LineGiven                                 line;       ///< of action, what the scene says of it
     std::shared_ptr<const CurveSet>           curves;     ///< nullptr: those of the thesis
@@ -48,6 +48,8 @@ namespace myolines
     const TissueParameters &muscle() const { return tissues.at(muscle_id); }
     /// Whether there may be active stress at some time.
     bool active() const;
+    /// Whether stress depends on the strain rate.
+    bool force_velocity() const { return dynamic && active() && muscle().fibre.force_velocity; }
     /// At time t.
     Activation activation_at(double t, Side side) const;
     /// All drives of the activation.

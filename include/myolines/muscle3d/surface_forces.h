@@ -6,83 +6,85 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <string>
 #include <vector>
 
 namespace myolines
 {
-  /// Forces on faces that depend on the displacement: pressures on the face as it moves, elastic foundations, and the tendon or the stop
-  /// of a face that moves as one. These act as a traction F(d - u.n) n / A at every point, which is the same where u.n is.
+  /// Forces of boundary conditions, integrated over their faces with the quadrature of the cells: dead loads, and what depends on how the
+  /// face moves.
   class SurfaceForces
   {
   public:
     SurfaceForces(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation);
 
-    /// Whether there are any, on any rank.
-    bool any() const { return !conditions_.empty(); }
+    // Whether there are any, on any rank.
+    bool any() const { return has_[pushing]; } ///< that depend on the motion
+    bool any_loads() const { return has_[loading]; }
+    bool rates() const { return rates_; } ///< whether forces depend on the velocity
 
-    /// r -= force at displacement @p u with current ghosts. Not compressed.
+    /// r -= forces that depend on the motion. @p point: its vectors have current ghosts, v where rates(). Not compressed.
     /// The size of the forces [N], over all ranks.
-    double subtract(double t, Side side, const Vector &u, Vector &r) const;
+    double subtract(const Point &point, Vector &r) const;
 
-    /// -dF/du of one face of a cell: rows and columns are 3 i + c, i counts the nodes of the face.
+    /// f += dead loads. Not compressed.
+    void add_loads(double t, Side side, Vector &f) const;
+
+    /// -dF/du and -dF/dv of one face of a cell: rows and columns are 3 i + c, i counts the nodes of the face.
     struct Tangent
     {
       NodeSpace::Cell                  cell;
       const std::vector<unsigned int> &nodes;  ///< local numbers of the nodes in vectors
       const std::vector<int>          &places; ///< their lexicographic numbers in the cell
-      dealii::FullMatrix<double>       matrix;
+      dealii::FullMatrix<double>       stiffness;
+      dealii::FullMatrix<double>       damping; ///< empty where the force does not depend on the velocity
     };
-    /// Of all faces of owned and ghost cells at @p u.
-    std::vector<Tangent> tangents(double t, Side side, const Vector &u, bool symmetrised) const;
+    /// Of all faces of owned and ghost cells, ghosts as above.
+    std::vector<Tangent> tangents(const Point &point, bool symmetrised) const;
 
-    // Of all ranks.
-    double energy(double t, Side side, const Vector &u) const;                 ///< stored in foundations, tendons, stops [J]
-    double power(double t, Side side, const Vector &u, const Vector &v) const; ///< of pressures and of far ends of tendons [W]
-    dealii::Tensor<1, 3> force(double t, Side side, const Vector &u, const BoundaryCondition &condition) const; ///< sum over the face [N]
+    /// What forces that depend on the motion do, of all ranks.
+    struct Work
+    {
+      double energy      = 0; ///< that they store [J]
+      double power       = 0; ///< from outside [W]
+      double dissipation = 0; ///< >= 0 [W]
+    };
+    Work work(const Point &point) const;
+
+    /// Sums over the face of @p condition, over all ranks [N].
+    Vector3 force(const Point &point, const BoundaryCondition &condition) const;
+    Vector3 load(double t, Side side, const BoundaryCondition &condition) const;
 
   private:
-    /// What is fixed at a quadrature point: weight of the rule, and its part of the reference face.
-    struct FacePoint
-    {
-      double               weight; ///< of the unit square; 0 outside the box of the condition
-      double               area;   ///< [m^2], likewise
-      dealii::Tensor<1, 3> normal; ///< outward, at rest
-    };
     struct Face
     {
       NodeSpace::Cell           cell;
-      std::size_t               condition; ///< its number in conditions_
-      double                    sign;      ///< outwards: of the product of the two tangents
+      const BoundaryCondition  *condition;
+      double                    sign; ///< outwards: of the product of the two tangents
       std::vector<unsigned int> nodes;
       std::vector<int>          places;
-      std::vector<FacePoint>    points;
-    };
-    struct Condition
-    {
-      const BoundaryCondition *given;
-      double                   area = 0;                         ///< of the whole face [m^2]
-      double                   scale(double t, Side side) const; ///< pressure [Pa], motion of the far end or place of the stop [m]
-    };
-    /// Displacement at a point, and tangents of the deformed face.
-    struct Deformed
-    {
-      dealii::Tensor<1, 3> u, x1, x2;
+      std::vector<FacePoint>    points; ///< of area 0 where the condition does not act
     };
 
-    void                 add_face(const NodeSpace::Cell &cell, unsigned int face, std::size_t condition);
-    Deformed             deformed(const Face &face, std::size_t q, const Vector &u) const;
-    dealii::Tensor<1, 3> force(const Face &face, std::size_t q, double scale, const Deformed &x) const;
-    void                 add_tangent(const Face &face, std::size_t q, double scale, const Deformed &x, dealii::FullMatrix<double> &K) const;
-    /// visit(face, condition, point number, deformed) for points of owned cells that carry a force.
+    void add_face(const NodeSpace::Cell &cell, unsigned int face, const BoundaryCondition &condition);
+    void find_areas(const BoundaryConditions &conditions);
+    /// @p velocity: wanted by more than the force.
+    FaceMotion motion(const Face &face, std::size_t q, const Point &point, bool velocity = false) const;
+    void       add_tangent(const Face &face, std::size_t q, const Point &point, Tangent &tangent) const;
+    /// Tangents of the deformed face.
+    std::array<Vector3, 2> edges(const Face &face, std::size_t q, const Vector &u) const;
+    /// visit(face, point number) for points of owned cells where a condition of the @p kind acts.
     template <typename Visitor>
-    void for_each_point(const Vector &u, const Visitor &visit) const;
+    void for_each_point(int kind, const Visitor &visit) const;
+
+    static constexpr int loading = 0, pushing = 1;
 
     const Muscle3dDiscretisation &d_;
     int                           n1_; ///< nodes in one direction
-    std::vector<Condition>        conditions_;
+    std::array<bool, 2>           has_{};
+    bool                          rates_ = false;
     std::vector<Face>             faces_;
     // Of the nodes of a face at the points of its rule: [points][nodes].
     std::vector<std::vector<double>> value_, d1_, d2_;
+    std::vector<double>              weights_; ///< of the rule
   };
 } // namespace myolines
