@@ -68,7 +68,7 @@ namespace myolines
   {
     Capabilities c;
     c.inertia           = parameters_.dynamic;
-    c.rates             = parameters_.dynamic && parameters_.active() && parameters_.muscle().fibre.force_velocity;
+    c.rates             = parameters_.viscous() || parameters_.force_velocity();
     c.symmetric_tangent = !parameters_.exact_tangent || (!c.rates && !has_follower_pressure(parameters_));
     c.energy            = parameters_.dynamic;
     c.orders            = {parameters_.dynamic ? 2u : 0u};
@@ -114,7 +114,7 @@ namespace myolines
     ledger_.count("residual evaluations");
     const Muscle3dDiscretisation &d     = *discretisation_;
     const KernelModel             model = kernel_model(parameters_, activation(point.t, point.side));
-    const CurrentGhosts           u(point.u), v(point.v, model.rate), a(point.a, model.inertia);
+    const CurrentGhosts           u(point.u), v(point.v, model.velocities()), a(point.a, model.inertia);
     const CellSweep               cells = sweep();
 
     r.zero_out_ghost_values();
@@ -133,7 +133,8 @@ namespace myolines
       {
         r.zero_out_ghost_values();
         r = std::numeric_limits<double>::quiet_NaN();
-        return {false, "det F or the dilatation is not positive near " + where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
+        return {false, "det F or the dilatation is not positive, or a stress not finite, near " +
+                           where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
       }
     double loads = surface_forces_->any() ? surface_forces_->subtract(point.t, point.side, u.vector(), r) : 0;
     r.compress(dealii::VectorOperation::add);

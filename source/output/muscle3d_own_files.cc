@@ -55,7 +55,10 @@ namespace myolines
         std::any_of(parameters.boundary.begin(), parameters.boundary.end(), [](const BoundaryCondition &c) { return c.is_spring(); });
     if (springs)
       columns.push_back("Stored springs [J]");
-    return make_series_file(folder, "energy_balance.csv", columns, [&balance, springs](const Muscle3dSample &sample) {
+    const bool laws = parameters.any_laws();
+    if (laws)
+      columns.push_back("Stored laws [J]");
+    return make_series_file(folder, "energy_balance.csv", columns, [&balance, springs, laws](const Muscle3dSample &sample) {
       const BodyMeasures &body = sample.body();
       std::vector<double> row{sample.t(),
                               body.kinetic,
@@ -69,6 +72,8 @@ namespace myolines
                               body.stored_tendinous};
       if (springs)
         row.push_back(body.stored_springs);
+      if (laws)
+        row.push_back(body.stored_laws);
       return row;
     });
   }
@@ -88,8 +93,8 @@ namespace myolines
 
   std::unique_ptr<SeriesFile> shape_file(const OutputFolder &folder, const Muscle3dSystem &system, const dealii::Tensor<1, 3> &thickness)
   {
-    const State still = system.still_state();
-    const double rest = measure_body(system, still, SlabRule::quadrature_points).volume;
+    const State  still = system.still_state();
+    const double rest  = measure_body(system, still, SlabRule::quadrature_points).volume;
     return make_series_file(
         folder, "shape.csv", {"Time [s]", "Muscle length [m]", "Width [m]", "Thickness [m]", "Volume ratio"},
         [rest, thickness](const Muscle3dSample &sample) {
@@ -101,7 +106,8 @@ namespace myolines
   std::unique_ptr<SeriesFile> momenta_file(const OutputFolder &folder)
   {
     std::vector<std::string> columns{"Time [s]"};
-    for (const auto &[name, unit] : {std::pair{"Centre of mass ", " [m]"}, {"Momentum ", " [kg m/s]"}, {"Angular momentum ", " [kg m^2/s]"}})
+    for (const auto &[name, unit] :
+         {std::pair{"Centre of mass ", " [m]"}, {"Momentum ", " [kg m/s]"}, {"Angular momentum ", " [kg m^2/s]"}})
       for (const char *axis : {"x", "y", "z"})
         columns.push_back(name + std::string(axis) + unit);
     return make_series_file(folder, "momenta.csv", columns, [](const Muscle3dSample &sample) {
@@ -120,15 +126,15 @@ namespace myolines
       throw InputError(InputProblem{"output/series/fascicles", "no line along the fibres ends: there is nothing to measure",
                                     "0, or fibres that run from one end of the muscle to another", ""});
     const bool               line = system.line_of_action().line.has_value();
-    std::vector<std::string> columns{"Time [s]",           "Mean length [m]",     "Least length [m]",    "Greatest length [m]",
-                                     "Mean stretch",       "Mean velocity [m/s]", "Mean curvature [1/m]"};
+    std::vector<std::string> columns{"Time [s]",     "Mean length [m]",     "Least length [m]",    "Greatest length [m]",
+                                     "Mean stretch", "Mean velocity [m/s]", "Mean curvature [1/m]"};
     if (line)
       columns.push_back("Mean angle to the line [deg]");
     return make_series_file(folder, "fascicles.csv", columns, [fascicles, line](const Muscle3dSample &sample) {
       const std::vector<Fascicles::Shape> shapes = fascicles->shapes(sample.state());
       const auto                          n      = static_cast<double>(shapes.size());
-      std::vector<double> row{sample.t(), 0, shapes.front().length, shapes.front().length, 0, 0, 0};
-      double              angle = 0;
+      std::vector<double>                 row{sample.t(), 0, shapes.front().length, shapes.front().length, 0, 0, 0};
+      double                              angle = 0;
       for (std::size_t i = 0; i < shapes.size(); ++i)
         {
           row[1] += shapes[i].length / n;
@@ -147,10 +153,10 @@ namespace myolines
 
   std::unique_ptr<SeriesFile> strain_file(const OutputFolder &folder, const Muscle3dSystem &system, const std::vector<double> &places)
   {
-    const Geometry            &body  = system.parameters().geometry;
-    const LineOfAction        &line  = system.line_of_action().line.value();
-    const dealii::Point<3>     from  = face_centre(body, line.from);
-    const dealii::Tensor<1, 3> span  = face_centre(body, line.to) - from;
+    const Geometry            &body = system.parameters().geometry;
+    const LineOfAction        &line = system.line_of_action().line.value();
+    const dealii::Point<3>     from = face_centre(body, line.from);
+    const dealii::Tensor<1, 3> span = face_centre(body, line.to) - from;
     std::vector<Marker>        markers{{"beginning of the line of action", from}};
     for (const double place : places)
       markers.push_back({"place", from + place * span});

@@ -38,11 +38,13 @@ namespace myolines
       explicit PeerParts(const Muscle3dParameters &parameters)
         : chosen_{{muscle_active, "Muscle active"}, {muscle_passive, "Muscle passive"}, {muscle_base, "Muscle base"}}
       {
-        if (parameters.tissues.size() > 1)
+        if (parameters.tissues.count(aponeurosis_id) + parameters.tissues.count(tendon_id) > 0)
           for (const StressPart part : {aponeurosis_fibre, aponeurosis_base, tendon_fibre, tendon_base})
             chosen_.push_back({part, tendinous(part)});
         if (parameters.has_fat())
           chosen_.push_back({fat_part, "Fat"});
+        for (const LawPart &law : parameters.law_parts())
+          laws_.push_back(law.name);
       }
 
       /// The peer writes "Apo" in its files of forces and "Aponeurosis" in that of energies.
@@ -55,6 +57,7 @@ namespace myolines
               name.insert(0, aponeurosis);
             all.push_back(name);
           }
+        all.insert(all.end(), laws_.begin(), laws_.end());
         return all;
       }
 
@@ -64,6 +67,7 @@ namespace myolines
         std::vector<T> all{parts.total(), parts[volumetric_part], parts.isochoric()};
         for (const auto &[part, name] : chosen_)
           all.push_back(parts[part]);
+        all.insert(all.end(), parts.laws.begin(), parts.laws.end());
         return all;
       }
 
@@ -77,6 +81,7 @@ namespace myolines
       }
 
       std::vector<std::pair<StressPart, std::string>> chosen_;
+      std::vector<std::string>                        laws_; ///< under the names of the scene
     };
 
     /// force_data-3d-NNN.csv: one file per row of the other series, one line per face.
@@ -155,7 +160,7 @@ namespace myolines
   {
     const PeerParts            parts(system.parameters());
     const dealii::Tensor<1, 3> along = system.line_of_action().line.value().direction;
-    std::vector<std::string> columns{"Time [s]"};
+    std::vector<std::string>   columns{"Time [s]"};
     for (const std::string &part : parts.names("Apo"))
       columns.push_back(part + " [N]");
     columns.push_back("Volume [m^3]");

@@ -120,12 +120,22 @@ def cmake_violations(root, table):
     return found
 
 
+# (list, its lines, ending of the files beside it)
+REGISTRIES = (
+    ("integrators/list.def", r"^MYOLINES_INTEGRATOR\((\w+)\)", ".cc"),
+    ("include/myolines/materials/laws/list.def", r"^MYOLINES_LAW\((\w+), [^)]+\)", ".h"),
+)
+
+
 def registry_violations(root):
-    listed = re.findall(r"^MYOLINES_INTEGRATOR\((\w+)\)", read(os.path.join(root, "integrators/list.def")), flags=re.M)
-    present = [name[:-3] for name in os.listdir(os.path.join(root, "integrators")) if name.endswith(".cc")]
-    found = [f"integrators/list.def: {name} has no file integrators/{name}.cc" for name in listed if name not in present]
-    found += [f"integrators/{name}.cc has no line in integrators/list.def" for name in present if name not in listed]
-    found += [f"integrators/list.def: {name} is listed twice" for name in sorted(set(listed)) if listed.count(name) > 1]
+    found = []
+    for path, line, ending in REGISTRIES:
+        folder = os.path.dirname(path)
+        listed = re.findall(line, read(os.path.join(root, path)), flags=re.M)
+        present = [name[: -len(ending)] for name in os.listdir(os.path.join(root, folder)) if name.endswith(ending)]
+        found += [f"{path}: {name} has no file {folder}/{name}{ending}" for name in listed if name not in present]
+        found += [f"{folder}/{name}{ending} has no line in {path}" for name in present if name not in listed]
+        found += [f"{path}: {name} is listed twice" for name in sorted(set(listed)) if listed.count(name) > 1]
     return found
 
 
@@ -202,6 +212,7 @@ PLANTED = (
     ("tests/base/planted.cc", "\n" * (LONGEST_FILE + 1), f"more than {LONGEST_FILE}"),
     ("source/base/planted2.cc", "int x;\n", "no line SPDX"),
     ("integrators/planted2.cc", "\n", "has no line in integrators/list.def"),
+    ("include/myolines/materials/laws/planted2.h", "\n", "has no line in include/myolines/materials/laws/list.def"),
     ("source/cli/planted2.cc", 'const char *advice = "bdf2 and sdirk2 do";\n', "the constant names the integrator bdf2"),
 )
 INNOCENT = (
