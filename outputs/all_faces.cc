@@ -41,6 +41,7 @@ namespace myolines
               values.insert(values.end(), {force[0], force[1], force[2]});
             csv.row(values);
           }
+        csv.close();
         steps_.push_back(static_cast<double>(step));
       }
 
@@ -63,7 +64,7 @@ namespace myolines
         if (writes_files())
           for (const auto &entry : std::filesystem::directory_iterator(folder_))
             if (const std::string name = entry.path().filename().string(); name.rfind("force_data-3d-", 0) == 0 && known.count(name) == 0)
-              std::filesystem::remove(entry.path());
+              remove_file(entry.path());
       }
 
       static constexpr const char *memory = "steps with force_data-3d-NNN.csv";

@@ -8,13 +8,15 @@ namespace myolines
 {
   namespace
   {
-    std::vector<std::string> balance_columns(const bool springs)
+    std::vector<std::string> balance_columns(const bool springs, const bool laws)
     {
       std::vector<std::string> columns{"Time [s]",           "Kinetic [J]",         "Stored volumetric [J]", "Stored base [J]",
                                        "Stored passive [J]", "Active work [J]",     "Dissipated [J]",        "External work [J]",
                                        "Balance drift [J]",  "Stored tendinous [J]"};
       if (springs)
         columns.push_back("Stored springs [J]");
+      if (laws)
+        columns.push_back("Stored laws [J]");
       return columns;
     }
 
@@ -22,9 +24,10 @@ namespace myolines
     class EnergyBalanceFile : public SeriesFile
     {
     public:
-      EnergyBalanceFile(const OutputFolder &folder, const bool springs)
+      EnergyBalanceFile(const OutputFolder &folder, const bool springs, const bool laws)
         : springs_(springs)
-        , csv_(folder, "energy_balance.csv", balance_columns(springs))
+        , laws_(laws)
+        , csv_(folder, "energy_balance.csv", balance_columns(springs, laws))
       {
         if (folder.saved != nullptr)
           balance_.load(*folder.saved);
@@ -48,6 +51,8 @@ namespace myolines
                                 body.stored_tendinous};
         if (springs_)
           row.push_back(body.stored_springs);
+        if (laws_)
+          row.push_back(body.stored_laws);
         csv_.row(row);
       }
 
@@ -71,7 +76,7 @@ namespace myolines
       }
 
     private:
-      const bool    springs_;
+      const bool    springs_, laws_;
       CsvFile       csv_;
       EnergyBalance balance_;
     };
@@ -82,10 +87,10 @@ namespace myolines
     return switched_series("energy balance", true, SeriesNeeds::velocities,
                            "energy_balance.csv: energies, works and the drift of their balance; dynamic systems only.",
                            [](const SeriesContext &context) -> std::unique_ptr<SeriesFile> {
-                             const BoundaryConditions &boundary = context.system.parameters().boundary;
-                             const bool                springs  = std::any_of(boundary.begin(), boundary.end(),
-                                                                              [](const auto &condition) { return condition->facts().supports; });
-                             return std::make_unique<EnergyBalanceFile>(context.folder, springs);
+                             const Muscle3dParameters &body    = context.system.parameters();
+                             const bool                springs = std::any_of(body.boundary.begin(), body.boundary.end(),
+                                                                             [](const auto &condition) { return condition->facts().supports; });
+                             return std::make_unique<EnergyBalanceFile>(context.folder, springs, body.any_laws());
                            });
   }
 } // namespace myolines

@@ -4,6 +4,7 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/fit.h>
+#include <myolines/materials/laws.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>
 #include <myolines/study/study.h>
@@ -168,6 +169,7 @@ namespace myolines
           {"methods", methods},
           {"systems", all_of(systems)},
           {"tissues", all_of(tissues)},
+          {"laws", all_of([] { return alternatives(*laws_schema().named()); })},
           {"profiles", all_of([] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); })},
           {"preconditioners", all_of([] { return alternatives(LinearSolver::preconditioner_schema()); })},
           {"outputs", all_of(outputs)},

@@ -22,7 +22,8 @@ namespace myolines
     const scene::Node &system = read.section("system");
     if (system.text("type") != "muscle 3d")
       system.refuse("type", "a system of type \"" + system.text("type") + "\" has no mesh of cells", "\"muscle 3d\"");
-    const PlainMesh mesh = export_mesh(read_geometry(system.section("geometry")));
+    const TissueNames tissues = read_tissue_names(system.section("tissues"));
+    const PlainMesh   mesh    = export_mesh(read_geometry(system.section("geometry"), tissues), tissues);
     on_writing_rank(file.string(), "a path in a folder that exists and can be written", "",
                     [&] { replace_file(file, mesh_text(mesh, file.extension().string())); });
     out << "mesh written: " << file.string() << ", " << mesh.cells.size() << " hexahedra, " << mesh.points.size() << " points, in metres\n";

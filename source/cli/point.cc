@@ -44,7 +44,7 @@ namespace myolines
       /// Uniaxial Cauchy stress of the isotropic parts [Pa].
       double base(const double s) const
       {
-        return finite(2 * (s * s - 1 / s) * yeoh(material_.data() + material_yeoh, s * s + 2 / s).first, s, 0);
+        return finite(2 * (s * s - 1 / s) * Yeoh<>(material_.data() + material_yeoh).response(s * s + 2 / s).first, s, 0);
       }
 
     private:
@@ -189,14 +189,21 @@ namespace myolines
     {
       const curves::FibreCurves   curves = parameters.fibre_curves();
       std::vector<study::Picture> pictures;
-      for (const TissueKind &kind : tissue_kinds())
-        if (const auto tissue = parameters.tissues.find(kind.id); tissue != parameters.tissues.end())
-          {
-            const TissueLaw law(tissue->second, curves);
-            for (study::Picture &picture : TissueSheets(kind.name, law, options).write())
-              pictures.push_back(std::move(picture));
-            print(kind.name, law, out);
-          }
+      const auto                  add = [&](std::vector<study::Picture> &&more) {
+        pictures.insert(pictures.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+      };
+      for (const auto &[id, tissue] : parameters.tissues)
+        {
+          const std::string &name = parameters.tissue_names[id - 1];
+          if (id <= tissue_kinds().size() && (id != muscle_id || parameters.has_muscle))
+            {
+              const TissueLaw law(tissue, curves);
+              add(TissueSheets(name, law, options).write());
+              print(name, law, out);
+            }
+          if (!tissue.laws.empty())
+            add(law_sheets({name, tissue, curves}, options, out));
+        }
       return pictures;
     }
 

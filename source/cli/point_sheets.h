@@ -2,6 +2,7 @@
 #pragma once
 
 #include <myolines/cli/point.h>
+#include <myolines/materials/tissue.h>
 #include <myolines/muscle1d/hill_force.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/study/picture.h>
@@ -37,6 +38,15 @@ namespace myolines
     CsvFile        csv_;
     study::Picture picture_;
   };
+
+  /// The tables of the laws that are added to a tissue, and their pictures; a summary on @p out.
+  struct LawSheets
+  {
+    std::string                name; ///< of the tissue
+    const TissueParameters    &tissue;
+    const curves::FibreCurves &curves;
+  };
+  std::vector<study::Picture> law_sheets(const LawSheets &sheets, const PointOptions &options, std::ostream &out);
 
   /// The tables of a one-dimensional muscle, and their pictures; a summary on @p out.
   std::vector<study::Picture> hill_sheets(const HillForce &force, const PointOptions &options, std::ostream &out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/materials/tissue.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace myolines
@@ -17,9 +18,10 @@ namespace myolines
     TissueParameters tendinous(const double bulk_modulus)
     {
       TissueParameters t;
-      t.bulk_modulus = bulk_modulus;
-      t.fibre.law    = FibreLaw::tendon;
-      t.base         = {2e5, {4.6896264975, -3.4551410975, 484.92055395}}; // table 5.3
+      t.bulk_modulus       = bulk_modulus;
+      t.fibre.law          = FibreLaw::tendon;
+      t.fibre.follows_body = false;
+      t.base               = {2e5, {4.6896264975, -3.4551410975, 484.92055395}}; // table 5.3
       return t;
     }
   } // namespace
@@ -31,6 +33,20 @@ namespace myolines
         {"aponeurosis", aponeurosis_id, "Aponeurosis: the tendinous sheet on or in a muscle, thesis 5.3.", tendinous(1e7)},
         {"tendon", tendon_id, "Tendon, thesis 5.3.", tendinous(1e8)}};
     return kinds;
+  }
+
+  TissueNames printed_tissues()
+  {
+    TissueNames names;
+    for (const TissueKind &kind : tissue_kinds())
+      names.push_back(kind.name);
+    return names;
+  }
+
+  unsigned int tissue_id(const TissueNames &names, const std::string &name)
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? 0 : static_cast<unsigned int>(found - names.begin()) + 1;
   }
 
   namespace
@@ -127,7 +143,18 @@ namespace myolines
         .section("base", base_schema(kind));
     if (kind.id == muscle_id)
       schema.optional_section("fat", fat_schema());
+    schema.optional_section("laws", laws_schema());
     return schema;
+  }
+
+  Schema own_tissue_schema()
+  {
+    const TissueParameters usual;
+    return Schema("The sum of its laws and of the volumetric energy.")
+        .number("density", usual.density, "kg/m^3", Range::positive(), "Mass per reference volume.")
+        .number("bulk modulus", usual.bulk_modulus, "Pa", Range::positive(), "kappa of Psi_vol = kappa/4 (D^2 - 2 ln D - 1).")
+        .optional_text("direction", "Fibre direction \"x y z\" at rest, normalised; default: that of system/fibres and of fields.")
+        .section("laws", laws_schema());
   }
 
   TissueParameters read_tissue(const TissueKind &kind, const scene::Node &node)
@@ -155,7 +182,35 @@ namespace myolines
         else
           add_to(t.fat.base, fat.number("factor"), fat, "");
       }
+    if (node.has("laws"))
+      t.laws = read_laws(node.section("laws"));
     return t;
+  }
+
+  TissueParameters read_own_tissue(const scene::Node &node)
+  {
+    TissueParameters t;
+    t.density      = node.number("density");
+    t.bulk_modulus = node.number("bulk modulus");
+    t.base         = {0, {0, 0, 0}};
+    t.fibre.sigma0 = 0;
+    t.laws         = read_laws(node.section("laws"));
+    if (t.laws.empty())
+      node.refuse("laws", "the tissue has no law, and so no stiffness", "at least one list with a \"type\" of `myolines list laws`");
+    return t;
+  }
+
+  double TissueParameters::shear_modulus_of_laws() const
+  {
+    double sum = 0;
+    for (const TissuePart &part : laws)
+      sum += part.weight * part.law->shear_modulus(fibre.direction);
+    return sum;
+  }
+
+  bool TissueParameters::viscous() const
+  {
+    return std::any_of(laws.begin(), laws.end(), [](const TissuePart &part) { return part.law->kind.rates != Rates::none; });
   }
 
   std::optional<std::array<double, 3>> unit_vector(const std::array<double, 3> &v)

@@ -27,6 +27,13 @@ namespace myolines
       if (model.rate)
         law.curvature(F_rate, LF);
       law.coefficients(identity, LF, 1, 0, 1., c, 9, 1);
+      for (const TissuePart &part : parameters.tissue(p.material_id).laws)
+        {
+          double A[9][9]; // [3 a + A][3 b + B]
+          part.law->moduli(deformation(parameters, activation, p, model.curves), 1, 0, A);
+          for (unsigned int i = 0; i < 81; ++i)
+            c[i] += weight_of(part, p) * A[3 * (i / 27) + i / 3 % 3][3 * (i / 9 % 3) + i % 3];
+        }
       const double D = p.dilatation, stiffness = 0.5 * p.material[material_bulk] * (1 + 1 / (D * D)) * p.J * p.J;
       for (unsigned int i = 0; i < 81; ++i)
         {

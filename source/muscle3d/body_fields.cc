@@ -103,8 +103,23 @@ namespace myolines
       constexpr double no = std::numeric_limits<double>::quiet_NaN();
       return std::array<double, 3>{{no, no, no}};
     };
-    if (material_id == muscle_id && along)
+    const bool follows = material_id == muscle_id || tissue.fibre.follows_body;
+    if (follows && along)
       tissue.fibre.direction = unit_vector(*along).value_or(no_direction());
+    if (follows && formulas_ && formulas_->direction)
+      {
+        const VectorFormula &a = *formulas_->direction;
+        tissue.fibre.direction = unit_vector({{a(0, x, volume), a(1, x, volume), a(2, x, volume)}}).value_or(no_direction());
+      }
+    if (follows && formulas_)
+      for (unsigned int r = 0; r < formulas_->regions.size(); ++r)
+        {
+          const double where = formulas_->regions[r](0, x, volume);
+          if (std::isnan(where))
+            problem = "the formula of an activation region is not a number";
+          if (where > 0)
+            region = r + 1;
+        }
     if (material_id == muscle_id && formulas_)
       {
         const Formulas &formulas = *formulas_;
@@ -116,19 +131,6 @@ namespace myolines
           activation_scale = formulas.scalars(2, x, volume);
         if (!fields_.matrix.empty())
           tissue.matrix.value().fraction = formulas.others(0, x, volume);
-        if (formulas.direction)
-          {
-            const VectorFormula &a = *formulas.direction;
-            tissue.fibre.direction = unit_vector({{a(0, x, volume), a(1, x, volume), a(2, x, volume)}}).value_or(no_direction());
-          }
-        for (unsigned int r = 0; r < formulas.regions.size(); ++r)
-          {
-            const double where = formulas.regions[r](0, x, volume);
-            if (std::isnan(where))
-              problem = "the formula of an activation region is not a number";
-            if (where > 0)
-              region = r + 1;
-          }
       }
     if (fields_.table)
       {

@@ -90,8 +90,37 @@ namespace myolines
       const double power = p.JxW * p.material[material_active] * activation.at(p.material[material_region]) *
                            curves::active(lam, &curves).value * p.isochoric_rate / lam;
       powers.active_power -= power;
-      if (parameters.dynamic && parameters.muscle().fibre.force_velocity)
+      if (parameters.force_velocity())
         powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate, &curves).value - 1);
+    }
+
+    /// Of the laws at a point: what they store, and what their stress does beyond that. The stress at rest of laws without an energy works
+    /// as the active one does; what rates add is dissipated.
+    void add_laws(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, Powers &powers, double &stored)
+    {
+      const auto &tissue = parameters.tissue(p.material_id);
+      if (tissue.laws.empty())
+        return;
+      const curves::FibreCurves curves = parameters.fibre_curves();
+      const Deformation<double> moving = deformation(parameters, activation, p, curves);
+      Deformation<double>       still  = moving;
+      still.F_rate                     = Mat3<double>::zero();
+      const auto power                 = [&](const Mat3<double> &P) { // of the motion, which quasi-static stresses do not see
+        double sum = 0;
+        for (int i = 0; i < 9; ++i)
+          sum += P.entry[i] * p.F_rate[i / 3][i % 3];
+        return sum;
+      };
+      for (const TissuePart &part : tissue.laws)
+        {
+          const double       weight = p.JxW * weight_of(part, p);
+          const Mat3<double> P = part.law->stress(strain(moving)), P_still = part.law->stress(strain(still));
+          if (const std::optional<double> energy = part.law->energy(strain(still)))
+            stored += weight * *energy;
+          else
+            powers.active_power -= weight * power(P_still);
+          powers.dissipation += weight * power(P - P_still);
+        }
     }
 
     /// Powers of loads and supports, and what dashpots dissipate. Returns the energy of springs [J].
@@ -113,33 +142,32 @@ namespace myolines
     void add_energies(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, BodyMeasures &m)
     {
       const curves::FibreCurves curves   = parameters.fibre_curves();
-      const double             *material = p.material.data(), *C = material + material_yeoh;
-      const double              lam = p.isochoric_stretch, I1 = std::pow(p.J, -2. / 3) * p.F.norm_square() - 3, D = p.dilatation;
+      const double             *material = p.material.data();
+      const double              lam = p.isochoric_stretch, I1 = std::pow(p.J, -2. / 3) * p.F.norm_square(), D = p.dilatation;
       m.stored_volumetric += p.JxW * material[material_bulk] / 4 * (D * D - 2 * std::log(D) - 1);
-      m.stored_base += p.JxW * I1 * (C[0] + I1 * (C[1] + I1 * C[2]));
+      m.stored_base += p.JxW * Yeoh<>(material + material_yeoh).energy_of(I1);
       m.stored_passive += p.JxW * material[material_passive] * curves::passive_energy(lam, &curves);
       m.stored_tendinous += p.JxW * material[material_tendon] * curves::tendon_energy(lam, &curves);
       if (parameters.dynamic)
         m.kinetic += p.JxW * material[material_density] / 2 * p.velocity.norm_square();
       if (!activation.zero())
         add_active_powers(parameters, activation, p, m);
+      add_laws(parameters, activation, p, m, m.stored_laws);
 
       const Matrix3        gradient = p.F - Matrix3(dealii::unit_symmetric_tensor<3>());
       const Parts<Matrix3> P        = stress_parts(parameters, activation, p);
       // (Grad U) F^(-1) : tau with tau = P F^T
       const auto density = [&](const Matrix3 &stress) { return p.JxW * scalar_product(gradient * invert(p.F), stress * transpose(p.F)); };
-      for (unsigned int part = 0; part < n_stress_parts; ++part)
-        m.work_density.part[part] += density(P.part[part]);
+      m.work_density.for_each(P, [&](double &to, const Matrix3 &stress) { to += density(stress); });
     }
 
     /// Sums over all ranks.
     void reduce(BodyMeasures &m, const MPI_Comm communicator)
     {
-      for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.stored_tendinous,
+      for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.stored_tendinous, &m.stored_laws,
                         &m.active_power, &m.dissipation, &m.l2_displacement, &m.l2_pressure})
         *x = dealii::Utilities::MPI::sum(*x, communicator);
-      for (double &x : m.work_density.part)
-        x = dealii::Utilities::MPI::sum(x, communicator);
+      m.work_density.for_each([&](double &x) { x = dealii::Utilities::MPI::sum(x, communicator); });
       m.min_jacobian = dealii::Utilities::MPI::min(m.min_jacobian, communicator);
       m.max_jacobian = dealii::Utilities::MPI::max(m.max_jacobian, communicator);
     }
@@ -164,11 +192,11 @@ namespace myolines
       if (p.material_id == muscle_id)
         slab.add(cell, q, p);
     });
+    m.work_density.laws.resize(parameters.law_parts().size()); // of ranks without cells, too
     reduce(m, system.discretisation().communicator);
     slab.means(m, system.discretisation().communicator);
 
-    for (double &x : m.work_density.part)
-      x /= m.volume;
+    m.work_density.for_each([&](double &x) { x /= m.volume; });
     m.l2_displacement = std::sqrt(m.l2_displacement);
     m.l2_pressure     = std::sqrt(m.l2_pressure);
     m.stored_springs  = add_load_powers(system, state, side, m);
@@ -179,10 +207,14 @@ namespace myolines
   {
     Powers           powers;
     const Activation activation = system.activation(state.t, side);
-    if (!activation.zero())
+    const bool       active     = !activation.zero();
+    if (active || system.parameters().any_laws())
       {
+        double stored = 0;
         PointStates(system, state).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
-          add_active_powers(system.parameters(), activation, p, powers);
+          if (active)
+            add_active_powers(system.parameters(), activation, p, powers);
+          add_laws(system.parameters(), activation, p, powers, stored);
         });
         for (double *x : {&powers.active_power, &powers.dissipation})
           *x = dealii::Utilities::MPI::sum(*x, system.discretisation().communicator);
@@ -293,7 +325,8 @@ namespace myolines
 
   double energy(const BodyMeasures &body)
   {
-    return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous + body.stored_springs;
+    return body.kinetic + body.stored_volumetric + body.stored_base + body.stored_passive + body.stored_tendinous + body.stored_laws +
+           body.stored_springs;
   }
 
   EnergyRates energy_rates(const Powers &powers, const std::vector<Reaction> &reactions)

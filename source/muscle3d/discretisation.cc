@@ -66,20 +66,32 @@ namespace myolines
 
   KernelCells CellSweep::cells(const unsigned int b) const
   {
-    return {batches.nodes(b),    batches.geometry(b), batches.geometry_stride(b), batches.inverse_mode_mass(b),         materials.values(b),
-            materials.stride(b), materials.muscle(b), materials.tendon(b),        static_cast<int>(batches.n_filled(b))};
+    const PointMaterials::Laws laws = materials.laws(b);
+    return {batches.nodes(b),
+            batches.geometry(b),
+            batches.geometry_stride(b),
+            batches.inverse_mode_mass(b),
+            materials.values(b),
+            materials.stride(b),
+            materials.muscle(b),
+            materials.tendon(b),
+            static_cast<int>(batches.n_filled(b)),
+            laws.terms,
+            laws.n,
+            laws.shear};
   }
 
   KernelModel kernel_model(const Muscle3dParameters &parameters, const Activation &activation)
   {
     KernelModel model;
-    model.activation    = activation;
-    model.active        = parameters.active() && !activation.zero();
-    model.rate          = model.active && parameters.dynamic && parameters.muscle().fibre.force_velocity;
-    model.inertia       = parameters.dynamic;
-    model.exact_tangent = parameters.exact_tangent;
+    model.activation     = activation;
+    model.active         = parameters.active() && !activation.zero();
+    model.rate           = model.active && parameters.force_velocity();
+    model.inertia        = parameters.dynamic;
+    model.exact_tangent  = parameters.exact_tangent;
+    model.viscous        = parameters.viscous();
     model.fixed_pressure = false;
-    model.curves        = parameters.fibre_curves();
+    model.curves         = parameters.fibre_curves();
     return model;
   }
 } // namespace myolines

@@ -52,14 +52,15 @@ namespace myolines
                   {
                     const Parts<Matrix3> P    = stress_parts(system.parameters(), activation, states.point(nearest[q], lane));
                     const Vector3        area = values.normal_vector(q) * values.JxW(q);
-                    for (unsigned int part = 0; part < n_stress_parts; ++part)
-                      force.part[part] += P.part[part] * area;
+                    force.for_each(P, [&](Vector3 &to, const Matrix3 &stress) { to += stress * area; });
                   }
               }
       }
-    for (Vector3 &part : force.part)
+    force.laws.resize(system.parameters().law_parts().size());
+    force.for_each([&](Vector3 &part) {
       for (unsigned int c = 0; c < 3; ++c)
         part[c] = dealii::Utilities::MPI::sum(part[c], d.communicator);
+    });
     return force;
   }
 } // namespace myolines

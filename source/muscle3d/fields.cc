@@ -9,6 +9,8 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <numeric>
+
 namespace myolines
 {
   namespace
@@ -21,6 +23,21 @@ namespace myolines
     };
 
     Matrix3 cauchy(const Matrix3 &P, const PointState &p) { return P * transpose(p.F) / p.J; }
+
+    double size_of(const std::optional<StressPart> part, const Parts<Matrix3> &P, const PointState &p)
+    {
+      return part ? cauchy(P[*part], p).norm() : 0.;
+    }
+
+    double size_of_laws(const Parts<Matrix3> &P, const PointState &p)
+    {
+      return cauchy(std::accumulate(P.laws.begin(), P.laws.end(), Matrix3()), p).norm();
+    }
+
+    double shear_modulus(const Muscle3dParameters &m, const PointState &p)
+    {
+      return 2 * p.material[material_yeoh] + (1 - p.material[material_fat]) * m.tissue(p.material_id).shear_modulus_of_laws();
+    }
 
     const std::vector<PointField> &point_fields()
     {
@@ -37,16 +54,16 @@ namespace myolines
           {"fibre direction z", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[2] / p.stretch; }},
           {"active stress", [](const Parameters &m, const Activation &a,
                                const PointState &p) { return cauchy(stress_parts(m, a, p)[muscle_active], p).norm(); }},
-          {"passive stress",
-           [](const Parameters &m, const Activation &a, const PointState &p) {
-             return cauchy(stress_parts(m, a, p)[passive_fibre_part(p.material_id)], p).norm();
-           }},
+          {"passive stress", [](const Parameters &m, const Activation &a,
+                                const PointState &p) { return size_of(passive_fibre_part(p.material_id), stress_parts(m, a, p), p); }},
           {"base stress", [](const Parameters &m, const Activation &a,
-                             const PointState &p) { return cauchy(stress_parts(m, a, p)[base_part(p.material_id)], p).norm(); }},
+                             const PointState &p) { return size_of(base_part(p.material_id), stress_parts(m, a, p), p); }},
+          {"law stress",
+           [](const Parameters &m, const Activation &a, const PointState &p) { return size_of_laws(stress_parts(m, a, p), p); }},
           {"tissue", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_tissue]; }},
           {"maximum isometric stress",
            [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_passive]; }},
-          {"shear modulus", [](const Parameters &, const Activation &, const PointState &p) { return 2 * p.material[material_yeoh]; }},
+          {"shear modulus", [](const Parameters &m, const Activation &, const PointState &p) { return shear_modulus(m, p); }},
           {"bulk modulus", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_bulk]; }},
           {"density", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_density]; }},
           {"fat fraction", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_fat]; }},

@@ -32,7 +32,8 @@ namespace myolines
           .integer("refinement", 3, Range::closed(0, 8), "Each refinement halves the cells in all directions.")
           .number("distortion", 0, "-", Range::closed(0, largest_distortion),
                   "Shifts the vertices of the refined mesh at random, always the same way, by up to this part of a cell in each direction; "
-                  "the box keeps its shape.");
+                  "the box keeps its shape.")
+          .text("tissue", "muscle", "What it is made of: a printed tissue or one of system/tissues/own.");
       return block;
     }
 
@@ -125,10 +126,10 @@ namespace myolines
       mesh.refine_global(geometry.refinement);
     }
 
-    Geometry read_body_of_mesh(const scene::Node &node)
+    Geometry read_body_of_mesh(const scene::Node &node, const TissueNames &tissues)
     {
       Geometry geometry;
-      geometry.mesh       = read_mesh_body(node);
+      geometry.mesh       = read_mesh_body(node, tissues);
       geometry.refinement = static_cast<unsigned int>(node.integer("refinement"));
       // As many cells per direction as if they were cubes that fill the box around the body.
       const MeshBody &body = *geometry.mesh;
@@ -276,7 +277,7 @@ namespace myolines
   {
     if (geometry.mesh)
       return geometry.mesh->tissues;
-    return geometry.gastrocnemius ? std::vector<std::string>{"muscle", "aponeurosis"} : std::vector<std::string>{"muscle"};
+    return geometry.gastrocnemius ? std::vector<std::string>{"muscle", "aponeurosis"} : std::vector<std::string>{geometry.tissue};
   }
 
   void make_mesh(const Geometry &geometry, NodeSpace::Mesh &mesh)
@@ -289,7 +290,7 @@ namespace myolines
       {
         make_block(mesh, geometry.size, geometry.cells, 0);
         for (const auto &cell : mesh.active_cell_iterators())
-          cell->set_material_id(tissue_kinds().front().id);
+          cell->set_material_id(geometry.tissue_id);
         mesh.refine_global(geometry.refinement);
         if (geometry.distortion > 0)
           distort_block(mesh, geometry.size, geometry.cells, geometry.refinement, geometry.distortion);
@@ -307,18 +308,23 @@ namespace myolines
                  "Shape of the body; \"gmsh\" is the former name of \"mesh\".");
   }
 
-  Geometry read_geometry(const scene::Node &node)
+  Geometry read_geometry(const scene::Node &node, const TissueNames &tissues)
   {
     Geometry   geometry;
     const auto number = [&](const std::string &name) { return static_cast<unsigned int>(node.integer(name)); };
     if (node.text("type") == "mesh" || node.text("type") == "gmsh")
-      return read_body_of_mesh(node);
+      return read_body_of_mesh(node, tissues);
     if (node.text("type") == "block")
       {
         geometry.size       = {{node.number("length"), node.number("width"), node.number("height")}};
         geometry.cells      = {{number("cells x"), number("cells y"), number("cells z")}};
         geometry.refinement = number("refinement");
         geometry.distortion = node.number("distortion");
+        geometry.tissue     = node.text("tissue");
+        geometry.tissue_id  = tissue_id(tissues, geometry.tissue);
+        if (geometry.tissue_id == 0)
+          node.refuse("tissue", "\"" + geometry.tissue + "\" is no tissue", "one of " + join(tissues),
+                      nearest_hint(geometry.tissue, tissues));
         return geometry;
       }
     const Gastrocnemius g{node.number("muscle length"), node.number("aponeurosis length"), node.number("aponeurosis height"),

@@ -27,8 +27,10 @@ namespace myolines
     using Base::F;
     using Base::F_rate;
     using Base::fibres;
+    using Base::filled_lanes_are;
     using Base::inverse;
     using Base::JxW;
+    using Base::law_points;
     using Base::m;
     using Base::material;
     using Base::max_modes;
@@ -38,10 +40,11 @@ namespace myolines
     using Base::n_points;
     using Base::pressure;
     using Base::project;
+    using Base::require_positive;
     using Base::t;
     using Base::values;
+    using Base::volumetric_modes;
     using Base::volumetric_state;
-    using Base::volumetric_stiffness;
     using Base::work;
 
   public:
@@ -108,30 +111,52 @@ namespace myolines
       evaluate_F(u);
       if (!volumetric_state())
         return false;
-      if (m.rate)
+      if (m.velocities())
         evaluate_gradient(v, F_rate);
       return true;
     }
+
+    /// Stresses of the laws at the points, [n_points][9].
+    void law_stresses(T *P)
+    {
+      clear(P, 9 * n_points);
+      for (int i = 0; i < cells.n_laws; ++i)
+        law_kernels<isa>(cells.laws[i].number).stress(cells.laws[i], law_points(F, 9, F_rate), reinterpret_cast<double *>(P));
+    }
+
+    LawWeights law_weights(const double w[3]) const { return {w[0], m.viscous ? w[1] : 0, !m.exact_tangent}; }
 
     bool add_residual(const double *u, const double *v, const double *a, double *r, KernelForces &forces)
     {
       if (!evaluate_state(u, v))
         return false;
-      T stress(0.), gap(0.), bulk(0.), volume(0.);
+      T stress(0.), gap(0.), bulk(0.), volume(0.), *of_laws = coefficients;
+      if (cells.n_laws > 0)
+        law_stresses(of_laws);
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
           const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
           T                   P[9];
           law.stress(P);
+          if (cells.n_laws > 0)
+            for (int i = 0; i < 9; ++i)
+              P[i] += of_laws[9 * q + i];
           const T weight = JxW(q);
           for (int i = 0; i < 9; ++i)
             work[9 * q + i] = P[i] * weight;
-          const T wrong = T(2.) * law.base.first * expand(missing, q);
+          const T wrong = (T(2.) * law.base.first + T(cells.law_shear)) * expand(missing, q);
           stress += dot(P, P) * weight;
           gap += wrong * wrong * weight;
           bulk += material(q)[material_bulk] * material(q)[material_bulk] * weight;
           volume += weight;
+        }
+      if (cells.n_laws > 0) // whose exponentials may overflow
+        {
+          T finite(1.);
+          require_positive(T(std::numeric_limits<double>::max()) - stress, finite);
+          if (!filled_lanes_are(finite))
+            return false;
         }
       add_forces(u, stress, gap, bulk, cbrt(volume), forces);
       if (m.inertia)
@@ -178,13 +203,17 @@ namespace myolines
           const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
           law.store(F_rate + 9 * q, JxW(q), tangent + q * size);
         }
-      volumetric_modes(1, tangent + n_points * size);
+      T *behind = tangent + n_points * size;
+      volumetric_modes(1, behind);
+      if (m.viscous)
+        for (int i = 0; i < 9 * n_points; ++i)
+          behind[t.n_modes * t.n_modes + i] = F_rate[i];
     }
 
     /// The change of pressure is dp_h = phi S int phi cof F : dF, S of volumetric_modes().
     void add_apply(const double w[3], const T *tangent, const double *x, double *y)
     {
-      const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.rate);
+      const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.velocities());
       if (!stiffness && !inertia)
         return;
       T *dF = F, *cofactor = F_rate, *flux = F; // work is taken by the interpolation
@@ -194,8 +223,10 @@ namespace myolines
         {
           evaluate_gradient(x, dF, inertia ? values : nullptr);
           const int size = m.rate ? tangent_size_rate : tangent_size_0;
-          T         moments[max_modes], dp[max_modes];
+          T         moments[max_modes], dp[max_modes], *of_laws = coefficients;
           clear(moments, t.n_modes);
+          if (cells.n_laws > 0)
+            law_actions(w, tangent, size, dF, of_laws);
           for (int q = 0; q < n_points; ++q)
             {
               T dP[9];
@@ -205,6 +236,9 @@ namespace myolines
                 moments[i] += mode(q, i) * change;
               for (int i = 0; i < 9; ++i)
                 flux[9 * q + i] = dP[i];
+              if (cells.n_laws > 0)
+                for (int i = 0; i < 9; ++i)
+                  flux[9 * q + i] += of_laws[9 * q + i];
             }
           const T *S      = tangent + n_points * size;
           const T  weight = T(m.fixed_pressure ? 0. : w[0]);
@@ -226,10 +260,20 @@ namespace myolines
       add_integral(stiffness ? flux : nullptr, inertia ? values : nullptr, y);
     }
 
+    /// dP of the laws at the points, [n_points][9], times JxW.
+    void law_actions(const double w[3], const T *tangent, const int size, const T *dF, T *dP) const
+    {
+      clear(dP, 9 * n_points);
+      const LawPoints points = law_points(tangent + tangent_F, size, tangent + n_points * size + t.n_modes * t.n_modes);
+      for (int i = 0; i < cells.n_laws; ++i)
+        law_kernels<isa>(cells.laws[i].number)
+            .action(cells.laws[i], points, law_weights(w), reinterpret_cast<const double *>(dF), reinterpret_cast<double *>(dP));
+    }
+
     void fill_matrices(const double w[3], const double *u, const double *v, T *matrices)
     {
       clear(matrices, 9 * n_nodes * n_nodes);
-      const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.rate);
+      const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.velocities());
       if (inertia)
         for (int q = 0; q < n_points; ++q)
           values[q] = T(w[2]) * material(q)[material_density] * JxW(q);
@@ -245,6 +289,9 @@ namespace myolines
                 law.curvature(F_rate + 9 * q, LF);
               law.coefficients(&inverse(q, 0), LF, w[0], w[1], JxW(q), coefficients + q, 9 * n_points, n_points);
             }
+          for (int i = 0; i < cells.n_laws; ++i)
+            law_kernels<isa>(cells.laws[i].number)
+                .coefficients(cells.laws[i], law_points(F, 9, F_rate), law_weights(w), reinterpret_cast<double *>(coefficients));
         }
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
@@ -297,37 +344,6 @@ namespace myolines
                 for (int j = 0; j < n_nodes; ++j)
                   row[j] += left * right[j];
               }
-    }
-
-    /// S of add_volumetric_rank, times w.
-    void volumetric_modes(const double w, T *S) const
-    {
-      const int n_modes = t.n_modes;
-      T         moments[max_modes * max_modes], half[max_modes * max_modes];
-      clear(moments, n_modes * n_modes);
-      for (int q = 0; q < n_points; ++q)
-        {
-          const T weight = T(w) * volumetric_stiffness(q, expand(dilatation, q)) * JxW(q);
-          for (int i = 0; i < n_modes; ++i)
-            for (int j = 0; j < n_modes; ++j)
-              moments[i * n_modes + j] += weight * mode(q, i) * mode(q, j);
-        }
-      const T *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
-      multiply(mass, moments, half);
-      multiply(half, mass, S);
-    }
-
-    void multiply(const T *x, const T *y, T *xy) const
-    {
-      const int n = t.n_modes;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          {
-            T s(0.);
-            for (int k = 0; k < n; ++k)
-              s += x[i * n + k] * y[k * n + j];
-            xy[i * n + j] = s;
-          }
     }
 
     void fill_points(const double *u, const double *v, T *out)

@@ -71,7 +71,7 @@ namespace myolines
     T                    lam;    ///< isochoric stretch
     T                    N[9];   ///< dlam/dF / lam
     FibreStress<T>       fibre;
-    YeohDerivatives<T>   base;
+    IsotropicResponse<T> base;
     T                    p; ///< p_h
 
     /// @p F_rate is used only if model.rate.
@@ -87,7 +87,7 @@ namespace myolines
       I1           = power * dot(k.F, k.F);
       for (int i = 0; i < 9; ++i)
         Q[i] = T(2.) * power * k.F[i] - T(2. / 3.) * I1 * k.H[i];
-      base = yeoh(material + material_yeoh, I1);
+      base = Yeoh<T>(material + material_yeoh).response(I1);
 
       T length(0.);
       for (int i = 0; i < 3; ++i)

@@ -45,6 +45,22 @@ namespace myolines
     T        JxW(const int q) const { return inverse(q, 9) * T(t.weight[q]); }
     T        mode(const int q, const int i) const { return T(t.modes[q * t.n_modes + i]); }
 
+    /// The points as laws see them: F of point q at F + q * stride, Fdot at F_rate + 9 q.
+    LawPoints law_points(const T *F, const int stride, const T *F_rate) const
+    {
+      return {n_points,
+              reinterpret_cast<const double *>(F),
+              std::size_t(stride) * n_lanes,
+              m.viscous ? reinterpret_cast<const double *>(F_rate) : nullptr,
+              cells.material,
+              cells.material_stride,
+              cells.geometry,
+              cells.geometry_stride,
+              t.weight,
+              &m.activation,
+              &m.curves};
+    }
+
     void gather(const double *x, T *nodal) const
     {
       for (int i = 0; i < n_nodes; ++i)
@@ -177,6 +193,37 @@ namespace myolines
         for (int i = 0; i < t.n_modes; ++i)
           pressure[i] = z[t.n_modes + i];
       return filled_lanes_are(admissible);
+    }
+
+    /// w S, S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1), at the dilatation of the state.
+    void volumetric_modes(const double w, T *S) const
+    {
+      const int n_modes = t.n_modes;
+      T         moments[max_modes * max_modes], half[max_modes * max_modes];
+      clear(moments, n_modes * n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T weight = T(w) * volumetric_stiffness(q, expand(dilatation, q)) * JxW(q);
+          for (int i = 0; i < n_modes; ++i)
+            for (int j = 0; j < n_modes; ++j)
+              moments[i * n_modes + j] += weight * mode(q, i) * mode(q, j);
+        }
+      const T *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
+      multiply(mass, moments, half);
+      multiply(half, mass, S);
+    }
+
+    void multiply(const T *x, const T *y, T *xy) const
+    {
+      const int n = t.n_modes;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          {
+            T s(0.);
+            for (int k = 0; k < n; ++k)
+              s += x[i * n + k] * y[k * n + j];
+            xy[i * n + j] = s;
+          }
     }
 
     /// See Kernels::advance.

@@ -80,12 +80,12 @@ namespace myolines
       return mesh;
     }
 
-    void add_cells(const PlainMesh &mesh, MeshBody &body, const MeshRefusal &refuse)
+    void add_cells(const PlainMesh &mesh, const TissueNames &names, MeshBody &body, const MeshRefusal &refuse)
     {
       constexpr unsigned int order[] = {0, 1, 3, 2, 4, 5, 7, 6}; // files go round, deal.II row by row
       for (const PlainMesh::Position &x : mesh.points)
         body.vertices.push_back(point_of(x));
-      const std::vector<unsigned int> ids = tissues_of_cells(mesh, body, refuse);
+      const std::vector<unsigned int> ids = tissues_of_cells(mesh, names, body, refuse);
       for (std::size_t i = 0; i < mesh.cells.size(); ++i)
         {
           dealii::CellData<3> cell;
@@ -103,7 +103,8 @@ namespace myolines
     }
   } // namespace
 
-  MeshBody::MeshBody(const std::filesystem::path &file, const double scale, const std::string &where, const std::vector<PlacedFace> &placed)
+  MeshBody::MeshBody(const std::filesystem::path &file, const double scale, const std::string &where, const std::vector<PlacedFace> &placed,
+                     const TissueNames &names)
   {
     const MeshRefusal refuse{where};
     const PlainMesh   mesh = sound_mesh(file, scale, *this, refuse), split = split_into_hexahedra(mesh);
@@ -117,7 +118,7 @@ namespace myolines
     const auto box = box_around(split);
     low            = point_of(box[0]);
     high           = point_of(box[1]);
-    add_cells(split, *this, refuse);
+    add_cells(split, names, *this, refuse);
     std::ostringstream facts;
     facts << "extent " << high[0] - low[0] << " x " << high[1] - low[1] << " x " << high[2] - low[2] << " m, volume " << volume
           << " m^3; smallest scaled Jacobian of a cell: " << worst;

@@ -9,9 +9,9 @@ namespace myolines
 {
   namespace
   {
-    void add_group(const CellId id, PlainMesh &exported)
+    void add_group(const CellId id, const TissueNames &tissues, PlainMesh &exported)
     {
-      const std::string &tissue   = tissue_kinds()[id.tissue - 1].name;
+      const std::string &tissue   = tissues[id.tissue - 1];
       const int          group    = static_cast<int>(id.volume != 0 ? id.volume : id.tissue);
       exported.cell_groups[group] = id.volume != 0 && id.volume != id.tissue ? tissue + " " + std::to_string(id.volume) : tissue;
     }
@@ -27,7 +27,7 @@ namespace myolines
     }
   } // namespace
 
-  PlainMesh export_mesh(const Geometry &geometry)
+  PlainMesh export_mesh(const Geometry &geometry, const TissueNames &tissues)
   {
     NodeSpace::Mesh mesh(MPI_COMM_SELF);
     make_mesh(geometry, mesh);
@@ -40,7 +40,7 @@ namespace myolines
     for (const auto &cell : mesh.active_cell_iterators())
       {
         const CellId id = CellId::of(cell->material_id());
-        add_group(id, exported);
+        add_group(id, tissues, exported);
         exported.cells.push_back(element_of(PlainMesh::Shape::hexahedron, static_cast<int>(id.volume != 0 ? id.volume : id.tissue),
                                             [&](const unsigned int i) { return cell->vertex_index(i); }));
         unsigned int vertices[8];

@@ -27,8 +27,9 @@ namespace myolines
     return out.str();
   }
 
-  /// The material id (CellId) of every cell of @p mesh by its groups; adds lines about them to the report of @p body, and the tissues.
-  std::vector<unsigned int> tissues_of_cells(const PlainMesh &mesh, MeshBody &body, const MeshRefusal &refuse);
+  /// The material id (CellId) of every cell of @p mesh by its groups, tissues being called as in @p names; adds lines about them to the
+  /// report of @p body, and the tissues.
+  std::vector<unsigned int> tissues_of_cells(const PlainMesh &mesh, const TissueNames &names, MeshBody &body, const MeshRefusal &refuse);
 
   /// Gives every quadrilateral of the boundary its face: those of @p mesh, those by place, the rest.
   void add_faces(const PlainMesh &mesh, const std::vector<PlacedFace> &placed, MeshBody &body, const MeshRefusal &refuse);

@@ -84,11 +84,11 @@ namespace myolines
     return schema;
   }
 
-  std::shared_ptr<const MeshBody> read_mesh_body(const Node &node)
+  std::shared_ptr<const MeshBody> read_mesh_body(const Node &node, const TissueNames &names)
   {
     std::vector<PlacedFace> placed;
     for (const Node &face : node.section("faces").named())
       placed.push_back(read_placed_face(face));
-    return std::make_shared<const MeshBody>(node.file("file"), read_unit(node, "scale"), node.where("file"), placed);
+    return std::make_shared<const MeshBody>(node.file("file"), read_unit(node, "scale"), node.where("file"), placed, names);
   }
 } // namespace myolines

@@ -23,8 +23,9 @@ namespace myolines
     class TissuesOfGroups
     {
     public:
-      TissuesOfGroups(const PlainMesh &mesh, const MeshRefusal &refuse)
+      TissuesOfGroups(const PlainMesh &mesh, const TissueNames &names, const MeshRefusal &refuse)
         : mesh_(mesh)
+        , names_(names)
         , refuse_(refuse)
       {
         for (const auto &cell : mesh.cells)
@@ -79,48 +80,47 @@ namespace myolines
         const std::string name = small_letters(name_of(group));
         if (group == 0)
           return muscle_id;
-        for (const TissueKind &kind : tissue_kinds())
+        unsigned int known  = 0;
+        std::size_t  length = 0; // of the name: "fat pad" comes before "fat"
+        for (unsigned int id = 1; id <= names_.size(); ++id)
           {
-            const std::string next = name.substr(std::min(kind.name.size(), name.size()), 1);
-            const bool        same = name.rfind(kind.name, 0) == 0 && (next.empty() || next == " " || next == "_" || next == "-");
-            if (name.empty() ? static_cast<int>(kind.id) == group : same)
-              return kind.id;
+            const std::string tissue = small_letters(names_[id - 1]), next = name.substr(std::min(tissue.size(), name.size()), 1);
+            const bool        same = name.rfind(tissue, 0) == 0 && (next.empty() || next == " " || next == "_" || next == "-");
+            if (name.empty() ? static_cast<int>(id) == group : same && tissue.size() > length)
+              {
+                known  = id;
+                length = tissue.size();
+              }
           }
-        return 0;
+        return known;
       }
 
       /// A single group of another name is muscle, if the name is not nearly that of a tissue.
       unsigned int tissue_of(const int group) const
       {
         const unsigned int known = known_tissue(group);
-        return known == 0 && groups_.size() == 1 && nearest_name(small_letters(name_of(group)), names()).empty() ? muscle_id : known;
-      }
-
-      static std::vector<std::string> names()
-      {
-        std::vector<std::string> all;
-        for (const TissueKind &kind : tissue_kinds())
-          all.push_back(kind.name);
-        return all;
+        return known == 0 && groups_.size() == 1 && nearest_name(small_letters(name_of(group)), names_).empty() ? muscle_id : known;
       }
 
       [[noreturn]] void refuse_unknown(const int group) const
       {
         const std::string name = name_of(group);
         refuse_("the volume " + (name.empty() ? std::to_string(group) : "\"" + name + "\"") + " is no tissue",
-                "one of " + join(names()) + ", perhaps with a space and more words after it, or the number 1, 2 or 3",
-                nearest_hint(small_letters(name), names()));
+                "one of " + join(names_) + ", perhaps with a space and more words after it, or the number of one, from 1 to " +
+                    std::to_string(names_.size()),
+                nearest_hint(small_letters(name), names_));
       }
 
       const PlainMesh   &mesh_;
+      const TissueNames &names_;
       const MeshRefusal &refuse_;
       std::set<int>      groups_;
     };
   } // namespace
 
-  std::vector<unsigned int> tissues_of_cells(const PlainMesh &mesh, MeshBody &body, const MeshRefusal &refuse)
+  std::vector<unsigned int> tissues_of_cells(const PlainMesh &mesh, const TissueNames &names, MeshBody &body, const MeshRefusal &refuse)
   {
-    const TissuesOfGroups               tissues(mesh, refuse);
+    const TissuesOfGroups               tissues(mesh, names, refuse);
     std::map<std::vector<int>, CellId>  known;
     std::vector<unsigned int>           ids;
     std::map<unsigned int, std::size_t> of_tissue, of_volume;
@@ -143,7 +143,7 @@ namespace myolines
       body.report.push_back("volume " + stranger + " is the only one and names no tissue: all is muscle");
     for (const auto &[tissue, n] : of_tissue)
       {
-        body.tissues.push_back(tissue_kinds()[tissue - 1].name);
+        body.tissues.push_back(names[tissue - 1]);
         body.report.push_back(std::to_string(n) + " cells of " + body.tissues.back());
       }
     return ids;

@@ -11,6 +11,8 @@ namespace myolines
       ledger.count(std::string("active stress in ") + sweep);
     if (model.rate)
       ledger.count(std::string("force-velocity in ") + sweep);
+    if (model.viscous)
+      ledger.count(std::string("viscosity in ") + sweep);
     if (model.inertia)
       ledger.count(std::string("mass in ") + sweep);
   }
@@ -39,7 +41,7 @@ namespace myolines
     model_ = kernel_model(parameters_, activation);
     u_     = point.u;
     u_.update_ghost_values();
-    if (model_.rate || surface_.rates())
+    if (model_.velocities() || surface_.rates())
       {
         v_ = point.v;
         v_.update_ghost_values();
@@ -56,7 +58,7 @@ namespace myolines
   {
     std::size_t tangent_size(const CellSweep &sweep, const KernelModel &model)
     {
-      return myolines::tangent_size(sweep.element.n_points, sweep.element.n_modes, model.rate);
+      return myolines::tangent_size(sweep.element.n_points, sweep.element.n_modes, model);
     }
   } // namespace
 
@@ -142,7 +144,7 @@ namespace myolines
   {
     const CurrentGhosts current(x);
     const Weights      &w = weights[2];
-    if (w.u != 0 || (w.v != 0 && model_.rate))
+    if (w.u != 0 || (w.v != 0 && model_.velocities()))
       store_tangents();
     apply(discretisation_.sweep(materials_), tangents_, model_, w, current.vector(), y);
     ledger_.count("tangent actions");

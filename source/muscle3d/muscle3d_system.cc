@@ -62,8 +62,9 @@ namespace myolines
     c.inertia           = parameters_.dynamic;
     const bool follows  = std::any_of(parameters_.boundary.begin(), parameters_.boundary.end(),
                                       [](const auto &condition) { return condition->facts().follows; });
-    c.rates             = parameters_.force_velocity() || surface_forces_->rates();
-    c.symmetric_tangent = !parameters_.exact_tangent || (!parameters_.force_velocity() && !follows);
+    const bool flows    = parameters_.viscous() || parameters_.force_velocity();
+    c.rates             = flows || surface_forces_->rates();
+    c.symmetric_tangent = !parameters_.exact_tangent || (!flows && !follows);
     c.energy            = parameters_.dynamic;
     c.orders            = {parameters_.dynamic ? 2u : 0u};
     c.splits            = splits();
@@ -108,7 +109,7 @@ namespace myolines
     ledger_.count("residual evaluations");
     const Muscle3dDiscretisation &d     = *discretisation_;
     const KernelModel             model = kernel_model(parameters_, activation(point.t, point.side));
-    const CurrentGhosts           u(point.u), v(point.v, model.rate || surface_forces_->rates()), a(point.a, model.inertia);
+    const CurrentGhosts           u(point.u), v(point.v, model.velocities() || surface_forces_->rates()), a(point.a, model.inertia);
     const CellSweep               cells = sweep();
 
     r.zero_out_ghost_values();
@@ -127,7 +128,8 @@ namespace myolines
       {
         r.zero_out_ghost_values();
         r = std::numeric_limits<double>::quiet_NaN();
-        return {false, "det F or the dilatation is not positive near " + where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
+        return {false, "det F or the dilatation is not positive, or a stress not finite, near " +
+                           where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
       }
     double loads = surface_forces_->any() ? surface_forces_->subtract({point.t, point.side, u.vector(), v.vector(), point.a}, r) : 0;
     r.compress(dealii::VectorOperation::add);

@@ -26,14 +26,17 @@ namespace myolines
           tissues.section(kind.name, tissue_schema(kind));
         else
           tissues.optional_section(kind.name, tissue_schema(kind));
+      tissues.optional_section("own", Schema("Tissues of your own, each a list with a name of your choice, under which it is reported.")
+                                          .named_sections(own_tissue_schema()));
       return tissues;
     }
 
     Schema fibres_schema()
     {
       Schema angle("a0 = (cos, 0, sin) of the angle, in the x-z plane.");
-      angle.optional_number("angle", "degree", Range::closed(-90, 90),
-                            "Pennation angle at rest, from x towards z; default: that of the geometry, 0 for a block; of a mesh: along the line of action.");
+      angle.optional_number(
+          "angle", "degree", Range::closed(-90, 90),
+          "Pennation angle at rest, from x towards z; default: that of the geometry, 0 for a block; of a mesh: along the line of action.");
       Schema direction("a0 along a given vector, normalised.");
       direction.number("x", 1, "-", Range::any(), "x component.")
           .number("y", 0, "-", Range::any(), "y component.")
@@ -76,9 +79,40 @@ namespace myolines
       if (!p.geometry.mesh || (elsewhere && !line.line))
         return {{1, 0, 0}};
       if (!line.line) // a mesh may lie in any direction; so may its fibres
-        fibres.refuse("type", "the fibres of the mesh have no direction, and there is no line of action that they could follow",
-                      "\"direction\", \"formula\" or \"laplace\", a table in \"system/fields\" with directions, or an \"angle\" from x towards z");
+        fibres.refuse(
+            "type", "the fibres of the mesh have no direction, and there is no line of action that they could follow",
+            "\"direction\", \"formula\" or \"laplace\", a table in \"system/fields\" with directions, or an \"angle\" from x towards z");
       return {{line.line->direction[0], line.line->direction[1], line.line->direction[2]}};
+    }
+
+    /// Those of the scene's own.
+    void read_own_tissues(const Node &lists, const std::vector<std::string> &of_body, const std::array<double, 3> &along,
+                          Muscle3dParameters &p)
+    {
+      for (const Node &list : lists.named())
+        {
+          const bool needed = std::find(of_body.begin(), of_body.end(), list.name()) != of_body.end();
+          if (!needed && p.fields.tissue.empty())
+            lists.refuse(list.name(), "the body has no cells of " + list.name(), "no such list for this geometry",
+                         "a block takes the tissue that \"geometry/tissue\" names, a mesh those of its groups of cells");
+          TissueParameters &tissue = p.tissues[tissue_id(p.tissue_names, list.name())] = read_own_tissue(list);
+          tissue.fibre.follows_body                                                    = !list.has("direction");
+          tissue.fibre.direction = list.has("direction") ? read_direction(list, "direction") : along;
+        }
+    }
+
+    /// Laws that would do nothing.
+    void refuse_rates_at_rest(const Node &lists, const Muscle3dParameters &p)
+    {
+      for (const auto &[id, tissue] : p.tissues)
+        for (const TissuePart &part : tissue.laws)
+          if (!p.dynamic && part.law->kind.rates == Rates::all)
+            {
+              const Node &list = id > tissue_kinds().size() ? lists.section("own") : lists;
+              list.refuse(p.tissue_names[id - 1] + "/laws/" + part.name,
+                          "is a law of strain rates alone (" + part.law->kind.name + "), which a quasi-static system leaves out",
+                          "system/inertia = dynamic, or no such law");
+            }
     }
 
     /// The tissues that the body has cells of, with their directions.
@@ -88,7 +122,12 @@ namespace myolines
       std::vector<std::string> of_body = tissues_of(p.geometry);
       if (p.fields.table)
         for (const unsigned int id : p.fields.table->tissues())
-          of_body.push_back(tissue_kinds()[id - 1].name);
+          {
+            if (id > p.tissue_names.size())
+              system.section("fields").refuse("table", "names tissue " + std::to_string(id),
+                                              "1 to " + std::to_string(p.tissue_names.size()));
+            of_body.push_back(p.tissue_names[id - 1]);
+          }
       p.tissues.clear();
       if (lists.has("curves"))
         p.curves = read_curves(lists.section("curves"));
@@ -96,14 +135,16 @@ namespace myolines
       for (const TissueKind &kind : tissue_kinds())
         {
           const bool needed = std::find(of_body.begin(), of_body.end(), kind.name) != of_body.end();
-          const bool given  = kind.id == muscle_id || lists.has(kind.name);
+          const bool given  = kind.id == muscle_id ? needed || lists.written(kind.name) : lists.has(kind.name);
           const bool named  = given && !p.fields.tissue.empty(); // a formula may name any that has a list
           if (needed && !given)
             lists.refuse(kind.name, "the body has cells of " + kind.name + ", but this list is missing", "a list \"" + kind.name + "\"",
                          "an empty list takes all defaults");
           if (!needed && given && !named)
             lists.refuse(kind.name, "the body has no cells of " + kind.name, "no such list for this geometry", "remove it");
-          if (!needed && !named)
+          if (kind.id == muscle_id)
+            p.has_muscle = needed || named;
+          else if (!needed && !named)
             continue;
           TissueParameters &tissue = p.tissues[kind.id] = read_tissue(kind, lists.section(kind.name));
           tissue.fibre.direction                        = along;
@@ -120,8 +161,26 @@ namespace myolines
           else if (p.geometry.gastrocnemius)
             tissue.fibre.direction = p.geometry.gastrocnemius->aponeurosis_direction();
         }
+      if (lists.has("own"))
+        read_own_tissues(lists.section("own"), of_body, along, p);
+      refuse_rates_at_rest(lists, p);
     }
   } // namespace
+
+  TissueNames read_tissue_names(const Node &lists)
+  {
+    TissueNames names = printed_tissues();
+    if (lists.has("own"))
+      for (const Node &own : lists.section("own").named())
+        {
+          if (tissue_id(names, own.name()) != 0)
+            lists.section("own").refuse(own.name(), "is the name of a printed tissue", "another name");
+          if (names.size() + 1 == CellId::n_tissues)
+            lists.section("own").refuse(own.name(), "is one tissue too many", "at most " + std::to_string(names.size()) + " in all");
+          names.push_back(own.name());
+        }
+    return names;
+  }
 
   double Muscle3dParameters::fibre_length() const
   {
@@ -132,6 +191,20 @@ namespace myolines
       if (muscle().fibre.direction[c] != 0)
         length = std::min(length, geometry.size[c] / std::abs(muscle().fibre.direction[c]));
     return length;
+  }
+
+  std::vector<LawPart> Muscle3dParameters::law_parts() const
+  {
+    std::vector<LawPart> parts;
+    for (const auto &[id, tissue] : tissues)
+      for (const TissuePart &part : tissue.laws)
+        parts.push_back({id, &part, tissue_names[id - 1] + " " + part.name});
+    return parts;
+  }
+
+  bool Muscle3dParameters::viscous() const
+  {
+    return dynamic && std::any_of(tissues.begin(), tissues.end(), [](const auto &tissue) { return tissue.second.viscous(); });
   }
 
   scene::Schema muscle3d_schema()
@@ -174,7 +247,8 @@ namespace myolines
                   std::to_string(p.n_points) + " points per direction leave degree " + std::to_string(p.degree) + " without stiffness",
                   "at least " + std::to_string(p.degree + 1) + " (degree + 1)");
 
-    p.geometry = read_geometry(system.section("geometry"));
+    p.tissue_names = read_tissue_names(system.section("tissues"));
+    p.geometry     = read_geometry(system.section("geometry"), p.tissue_names);
     if (system.has("fields"))
       p.fields = read_fields(system.section("fields"));
     if (system.section("fibres").text("type") == "formula")

@@ -53,6 +53,9 @@ namespace myolines
                          : !p.muscle().fibre.force_velocity ? "switched off for the tissue"
                                                             : "nothing is active"));
     lines.push_back(line("passive fibres and base material", true, "always"));
+    for (const LawPart &law : p.law_parts())
+      lines.push_back(
+          line(law.name, true, law.part->law->kind.name + (law.part->law->kind.rates == Rates::none ? "" : ", of strain rates")));
     lines.push_back(line("body force", p.body_force.has_value(), p.body_force ? "given" : "not given"));
     lines.push_back(line("tractions", std::any_of(p.boundary.begin(), p.boundary.end(), [](const auto &c) { return !c->facts().reacts(); }),
                          "faces without a condition are free"));
@@ -92,7 +95,7 @@ namespace myolines
 
     const double points = std::pow(parameters.n_points, 3), lean = std::pow(k + 1, 3);
     const double star     = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
-    const double tangents = tangent_size_rate * sizeof(double) * own;
+    const double tangents = (tangent_size_rate + (parameters.viscous() ? 9 : 0)) * sizeof(double) * own;
 
     sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
     sizes.bytes =

@@ -84,20 +84,18 @@ namespace myolines
              << "; below 0.01 results are doubtful and solves slow";
         sentences.push_back(text.str());
       }
-    for (const TissueKind &kind : tissue_kinds())
-      if (const auto found = parameters.tissues.find(kind.id); found != parameters.tissues.end())
-        {
-          const TissueParameters &tissue = found->second;
-          if (kind.id == muscle_id && tissue.fibre.sigma0 != 0)
-            judge("the maximum isometric stress", tissue.fibre.sigma0, "Pa", 1e3, 1e7, {{1e3, "kPa"}, {1e6, "MPa"}, {1e4, "N/cm^2"}},
-                  sentences);
-          judge("the density of " + kind.name, tissue.density, "kg/m^3", 500, 2000, {{1e3, "g/cm^3"}, {1e12, "t/mm^3"}, {1e9, "kg/mm^3"}},
+    for (const auto &[id, tissue] : parameters.tissues)
+      {
+        const std::string &name = parameters.tissue_names[id - 1];
+        if (id == muscle_id && tissue.fibre.sigma0 != 0)
+          judge("the maximum isometric stress", tissue.fibre.sigma0, "Pa", 1e3, 1e7, {{1e3, "kPa"}, {1e6, "MPa"}, {1e4, "N/cm^2"}},
                 sentences);
-          judge("the bulk modulus of " + kind.name, tissue.bulk_modulus, "Pa", 1e4, 1e10, {{1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}},
-                sentences);
-          if (const double mu = 2 * tissue.base.coefficients()[0]; mu > 0 && !tissue.matrix)
-            judge("the bulk modulus over the shear modulus of " + kind.name, tissue.bulk_modulus / mu, "", 2, 1e6, {}, sentences);
-        }
+        judge("the density of " + name, tissue.density, "kg/m^3", 500, 2000, {{1e3, "g/cm^3"}, {1e12, "t/mm^3"}, {1e9, "kg/mm^3"}},
+              sentences);
+        judge("the bulk modulus of " + name, tissue.bulk_modulus, "Pa", 1e4, 1e10, {{1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}}, sentences);
+        if (const double mu = 2 * tissue.base.coefficients()[0]; mu > 0 && !tissue.matrix)
+          judge("the bulk modulus over the shear modulus of " + name, tissue.bulk_modulus / mu, "", 2, 1e6, {}, sentences);
+      }
     return sentences;
   }
 } // namespace myolines

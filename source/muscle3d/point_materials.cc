@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -67,6 +68,15 @@ namespace myolines
     std::unique_ptr<Gradients> gradients;
     if (potential != nullptr && batches.n_batches() > 0)
       gradients = std::make_unique<Gradients>(*potential, batches.cell(0, 0)->get_fe(), element);
+    for (const auto &[id, tissue] : parameters.tissues)
+      {
+        for (const TissuePart &part : tissue.laws)
+          {
+            laws_.push_back(part.law);
+            terms_.push_back({part.law->kind.number, part.law->data(), part.weight, id});
+          }
+        law_shear_[id] = tissue.shear_modulus_of_laws();
+      }
     const BodyFields &fields = parameters.fields;
     points_of_region_.resize(1 + fields.regions.size());
     const MaterialField           field(fields, parameters.tissues);
@@ -74,7 +84,7 @@ namespace myolines
     for (unsigned int b = 0; b < batches.n_batches(); ++b)
       {
         const unsigned int id = CellId::of(batches.cell(b, 0)->material_id()).tissue;
-        if (fields.of_all_tissues() || (fields.within_muscle() && id == muscle_id))
+        if (fields.of_all_tissues() || (fields.within_muscle() && (id == muscle_id || parameters.tissue(id).fibre.follows_body)))
           add_field(field, batches, element, b, gradients.get());
         else
           {
@@ -83,6 +93,7 @@ namespace myolines
                 Material m         = material(parameters.tissue(id));
                 m[material_tissue] = id;
                 uniform[id]        = {values_.size(), 0, has_muscle(m), has_tendon(m)};
+                set_laws(id, id, uniform[id]);
                 for (const double x : m)
                   for (unsigned int lane = 0; lane < n_lanes; ++lane)
                     values_.push_back(x);
@@ -92,11 +103,24 @@ namespace myolines
       }
   }
 
+  void PointMaterials::set_laws(const unsigned int first, const unsigned int last, Batch &batch) const
+  {
+    const auto before = [](const LawTerm &term, const unsigned int id) { return term.tissue < id; };
+    const auto begin  = std::lower_bound(terms_.begin(), terms_.end(), first, before),
+               end    = std::lower_bound(begin, terms_.end(), last + 1, before);
+    batch.first_term  = static_cast<int>(begin - terms_.begin());
+    batch.n_terms     = static_cast<int>(end - begin);
+    for (const auto &[id, shear] : law_shear_)
+      if (id >= first && id <= last)
+        batch.shear = std::max(batch.shear, shear);
+  }
+
   void PointMaterials::add_field(const MaterialField &field, const CellBatches &batches, const Element &element, const unsigned int b,
                                  Gradients *gradients)
   {
     constexpr unsigned int stride = n_material_values * n_lanes;
     Batch                  batch{values_.size(), stride, false, false};
+    set_laws(0, CellId::n_tissues, batch);
     values_.resize(batch.first + std::size_t(element.n_points) * stride);
     for (unsigned int lane = 0; lane < n_lanes; ++lane)
       {

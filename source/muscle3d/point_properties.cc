@@ -143,7 +143,7 @@ namespace myolines
         {"fat_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.fat = x; }},
         {"activation_scale", Range::not_negative(), [](Row &row, const double x) { row.activation_scale = x; }},
         {"matrix_fraction", Range::closed(0, 1), [](Row &row, const double x) { row.matrix = x; }},
-        {"tissue_id", Range::closed(muscle_id, tendon_id), [](Row &row, const double x) { row.tissue = x; }}};
+        {"tissue_id", Range::closed(muscle_id, CellId::n_tissues - 1), [](Row &row, const double x) { row.tissue = x; }}};
     return quantities;
   }
 

@@ -58,6 +58,77 @@ namespace myolines
     return p;
   }
 
+  std::optional<StressPart> base_part(const unsigned int material_id)
+  {
+    switch (material_id)
+      {
+      case muscle_id:
+        return muscle_base;
+      case aponeurosis_id:
+        return aponeurosis_base;
+      case tendon_id:
+        return tendon_base;
+      default:
+        return std::nullopt;
+      }
+  }
+
+  std::optional<StressPart> passive_fibre_part(const unsigned int material_id)
+  {
+    switch (material_id)
+      {
+      case muscle_id:
+        return muscle_passive;
+      case aponeurosis_id:
+        return aponeurosis_fibre;
+      case tendon_id:
+        return tendon_fibre;
+      default:
+        return std::nullopt;
+      }
+  }
+
+  Deformation<double> deformation(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p,
+                                  const curves::FibreCurves &curves)
+  {
+    Deformation<double> at;
+    for (int i = 0; i < 3; ++i)
+      {
+        at.a0[i] = p.material[material_direction + i];
+        for (int j = 0; j < 3; ++j)
+          {
+            at.F(i, j)      = p.F[i][j];
+            at.F_rate(i, j) = parameters.dynamic ? p.F_rate[i][j] : 0;
+          }
+      }
+    at.activation = activation.at(p.material[material_region]);
+    at.curves     = &curves;
+    return at;
+  }
+
+  namespace
+  {
+    /// Of all laws; zero of those of other tissues.
+    std::vector<Matrix3> law_stresses(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p,
+                                      const curves::FibreCurves &curves)
+    {
+      std::vector<Matrix3> stresses;
+      for (const auto &[id, tissue] : parameters.tissues)
+        for (const TissuePart &part : tissue.laws)
+          {
+            Matrix3 P;
+            if (id == p.material_id)
+              {
+                const Mat3<double> of_law = part.law->stress(strain(deformation(parameters, activation, p, curves)));
+                for (int i = 0; i < 9; ++i)
+                  P[i / 3][i % 3] = weight_of(part, p) * of_law.entry[i];
+              }
+            stresses.push_back(P);
+          }
+      return stresses;
+    }
+  } // namespace
+
   Parts<Matrix3> stress_parts(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p)
   {
     const KernelModel       model  = kernel_model(parameters, activation);
@@ -67,19 +138,21 @@ namespace myolines
     const Vector3           a0({p.material[0], p.material[1], p.material[2]});
     const Matrix3           G = lam * (outer_product(p.fibre, a0) / p.fibre.norm_square() - H / 3.), Q = 2 * power * p.F - 2. / 3 * I1 * H;
     const double            fat      = p.material[material_fat];
-    const double            fat_base = fat == 0 ? 0. : fat * yeoh(tissue.fat.base.coefficients().data(), I1).first;
+    const double            fat_base = fat == 0 ? 0. : fat * Yeoh<>(tissue.fat.base.coefficients().data()).response(I1).first;
 
     Parts<Matrix3> parts;
-    parts[volumetric_part]          = p.pressure * p.J * H;
-    parts[base_part(p.material_id)] = (yeoh(p.material.data() + material_yeoh, I1).first - fat_base) * Q;
-    parts[passive_fibre_part(p.material_id)] =
-        fibre_stress(p.material.data(), {true, false, false, true, &activation, &model.curves}, lam, 0.).g * G;
+    parts[volumetric_part] = p.pressure * p.J * H;
+    if (const auto base = base_part(p.material_id))
+      parts[*base] = (Yeoh<>(p.material.data() + material_yeoh).response(I1).first - fat_base) * Q;
+    if (const auto fibre = passive_fibre_part(p.material_id))
+      parts[*fibre] = fibre_stress(p.material.data(), {true, false, false, true, &activation, &model.curves}, lam, 0.).g * G;
     if (model.active)
       parts[muscle_active] = p.material[material_active] * activation.at(p.material[material_region]) *
                              curves::active(lam, &model.curves).value *
                              (model.rate ? curves::force_velocity(p.isochoric_strain_rate, &model.curves).value : 1.) / lam * G;
     if (fat != 0)
       parts[fat_part] = fat_base * Q;
+    parts.laws = law_stresses(parameters, activation, p, model.curves);
     return parts;
   }
 } // namespace myolines

@@ -61,22 +61,22 @@ namespace myolines
     const Muscle3dParameters          &parameters_;
     const std::optional<LineOfAction> &line_;
     const Muscle3dDiscretisation      &d_;
-    KernelModel                   model_;
-    CellSweep                     sweep_;
-    unsigned int                  batch_ = 0;
-    CurrentGhosts                 u_, v_; ///< the state outlives this object
-    dealii::AlignedVector<double> values_;
+    KernelModel                        model_;
+    CellSweep                          sweep_;
+    unsigned int                       batch_ = 0;
+    CurrentGhosts                      u_, v_; ///< the state outlives this object
+    dealii::AlignedVector<double>      values_;
   };
 
-  /// Part of the stress that the base material, and that passive fibres, of a tissue are.
-  inline StressPart base_part(const unsigned int material_id)
-  {
-    return material_id == muscle_id ? muscle_base : material_id == aponeurosis_id ? aponeurosis_base : tendon_base;
-  }
-  inline StressPart passive_fibre_part(const unsigned int material_id)
-  {
-    return material_id == muscle_id ? muscle_passive : material_id == aponeurosis_id ? aponeurosis_fibre : tendon_fibre;
-  }
+  /// Part of the stress that the base material, and that passive fibres, of a printed tissue are; none of another one.
+  std::optional<StressPart> base_part(unsigned int material_id);
+  std::optional<StressPart> passive_fibre_part(unsigned int material_id);
+
+  /// The point as laws see it.
+  Deformation<double> deformation(const Muscle3dParameters &parameters, const Activation &activation, const PointState &point,
+                                  const curves::FibreCurves &curves);
+  /// Weight of a part of the tissue at the point: fat takes its share from all.
+  inline double weight_of(const TissuePart &part, const PointState &point) { return part.weight * (1 - point.material[material_fat]); }
 
   /// Smallest eigenvalue of the acoustic tensor Q_ab = dP_aA/dF_bB n_A n_B over all directions n of the reference body [Pa]: where it is
   /// negative the material has lost its ellipticity, thesis 5.8.2. Rates are frozen; pressure and dilatation are taken point by point.

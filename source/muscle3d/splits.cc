@@ -76,8 +76,10 @@ namespace myolines
     const std::string refused = why_refused(parameters_);
     return {{"linear", "the inertia and the passive stiffness at rest, frozen", refused},
             {"volumetric", "the inertia and the volumetric stress",
-             refused.empty() && parameters_.fields.any() ? "stresses vary in space (system/fields) and would be left out point by point"
-                                                         : refused},
+             refused.empty() && parameters_.viscous()
+                 ? "it leaves the viscosity of tissues explicit, which limits the step as diffusion does"
+             : refused.empty() && parameters_.fields.any() ? "stresses vary in space (system/fields) and would be left out point by point"
+                                                           : refused},
             {"passive", "the inertia and all passive stresses", refused},
             {"all but active", "everything but the active stress", refused}};
   }
@@ -107,6 +109,7 @@ namespace myolines
               tissue.matrix->base.scale = 0;
             tissue.fat.base.scale = 0;
             tissue.fibre.sigma0   = 0;
+            tissue.laws.clear();
           }
       }
     auto system = std::make_unique<Part>(*this, std::move(part));

@@ -14,7 +14,7 @@ import sys
 
 LONGEST_FILE = 400
 SCANNED = ("include", "source", "integrators", "boundary", "outputs")
-REGISTRIES = {"integrators": "integrators", "boundary": "muscle3d", "outputs": "output"}  # folder of a registry: its room
+ROOM_OF_REGISTRY = {"integrators": "integrators", "boundary": "muscle3d", "outputs": "output"}
 CODE = (".h", ".cc", ".py", ".sh")
 LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
@@ -60,8 +60,8 @@ def reachable(table, room):
 
 def room_of(path):
     parts = path.split("/")
-    if parts[0] in REGISTRIES:
-        return REGISTRIES[parts[0]]
+    if parts[0] in ROOM_OF_REGISTRY:
+        return ROOM_OF_REGISTRY[parts[0]]
     inside = parts[2:] if parts[0] == "include" else parts[1:]
     return inside[0] if len(inside) > 1 else os.path.splitext(inside[0])[0]
 
@@ -121,14 +121,22 @@ def cmake_violations(root, table):
     return found
 
 
+# (list, its lines, ending of the files beside it)
+REGISTRIES = (
+    *((folder + "/list.def", r"^MYOLINES_\w+\((\w+)\)", ".cc") for folder in ROOM_OF_REGISTRY),
+    ("include/myolines/materials/laws/list.def", r"^MYOLINES_LAW\((\w+), [^)]+\)", ".h"),
+)
+
+
 def registry_violations(root):
     found = []
-    for folder in REGISTRIES:
-        listed = re.findall(r"^MYOLINES_\w+\((\w+)\)", read(os.path.join(root, folder, "list.def")), flags=re.M)
-        present = [name[:-3] for name in os.listdir(os.path.join(root, folder)) if name.endswith(".cc")]
-        found += [f"{folder}/list.def: {name} has no file {folder}/{name}.cc" for name in listed if name not in present]
-        found += [f"{folder}/{name}.cc has no line in {folder}/list.def" for name in present if name not in listed]
-        found += [f"{folder}/list.def: {name} is listed twice" for name in sorted(set(listed)) if listed.count(name) > 1]
+    for path, line, ending in REGISTRIES:
+        folder = os.path.dirname(path)
+        listed = re.findall(line, read(os.path.join(root, path)), flags=re.M)
+        present = [name[: -len(ending)] for name in os.listdir(os.path.join(root, folder)) if name.endswith(ending)]
+        found += [f"{path}: {name} has no file {folder}/{name}{ending}" for name in listed if name not in present]
+        found += [f"{folder}/{name}{ending} has no line in {path}" for name in present if name not in listed]
+        found += [f"{path}: {name} is listed twice" for name in sorted(set(listed)) if listed.count(name) > 1]
     return found
 
 
@@ -208,6 +216,7 @@ PLANTED = (
     ("boundary/planted.cc", "#include <myolines/output/outputs.h>\n", "muscle3d includes output"),
     ("boundary/planted2.cc", "\n", "has no line in boundary/list.def"),
     ("outputs/planted.cc", "\n", "has no line in outputs/list.def"),
+    ("include/myolines/materials/laws/planted2.h", "\n", "has no line in include/myolines/materials/laws/list.def"),
     ("source/cli/planted2.cc", 'const char *advice = "bdf2 and sdirk2 do";\n', "the constant names the integrator bdf2"),
 )
 INNOCENT = (

@@ -76,7 +76,7 @@ namespace myolines
         return;
       Bench                         s(state.range(0), state.range(1), set);
       const double                  w[3] = {1, 40, 1600};
-      const std::size_t             size = tangent_size(s.d.element.n_points, s.d.element.n_modes, s.model.rate);
+      const std::size_t             size = tangent_size(s.d.element.n_points, s.d.element.n_modes, s.model);
       dealii::AlignedVector<double> tangent(size * s.d.batches->n_owned_batches());
       for (unsigned int b = 0; b < s.d.batches->n_owned_batches(); ++b)
         s.d.kernels.linearise(s.d.tables, s.model, s.sweep.cells(b), s.u.begin(), s.v.begin(), &tangent[b * size], s.d.scratch());

@@ -41,6 +41,18 @@ TEST(Verification, IndentedBlock)
     }
 }
 
+/// Problem 1 of Land et al. (2015), doi:10.1098/rspa.2015.0641: the codes of the benchmark find the tip at z = 4.0 to 4.2 mm, 1 mm of which is its height.
+TEST(Verification, BeamOfGuccione)
+{
+  const TestFolder folder;
+  const auto       row = last_row(folder, "verification/guccione_beam.xml", "displacements-3d.csv");
+  ASSERT_EQ(row.size(), 4u);
+  EXPECT_GT(1e-3 + row[3], 4.10e-3);
+  EXPECT_LT(1e-3 + row[3], 4.20e-3);
+  EXPECT_NEAR(row[2], 0, 1e-9); // nothing bends it sideways
+  EXPECT_EQ(contents(folder / "out" / "steps.csv").find("not converged"), std::string::npos);
+}
+
 /// Against an independent serial study: 26.845 N at the end, 20 steps, none rejected.
 TEST(Verification, ActiveLengthening)
 {

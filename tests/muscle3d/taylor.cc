@@ -21,6 +21,9 @@ namespace myolines
       double       fat    = 0;
       bool         fields = false; ///< everything varies in space
       bool         smooth = false; ///< smooth curves, two regions of activation
+      bool         laws   = false; ///< all laws of the list are added
+
+      bool rates() const { return dynamic && (active || laws); }
     };
 
     void PrintTo(const Case &c, std::ostream *out) { *out << c.name; }
@@ -35,7 +38,11 @@ namespace myolines
                             {"passive", 2, 3, true, false},
                             {"fat", 2, 3, true, true, "muscle", 0.3},
                             {"fields", 2, 3, true, true, "muscle", 0, true},
-                            {"smooth_curves_and_regions", 2, 3, true, true, "muscle", 0, false, true}};
+                            {"smooth_curves_and_regions", 2, 3, true, true, "muscle", 0, false, true},
+                            {"laws", 2, 3, true, true, "muscle", 0.2, false, false, true},
+                            {"laws_of_fields", 1, 2, true, true, "muscle", 0, true, false, true},
+                            {"laws_without_activation", 3, 4, true, false, "muscle", 0, false, false, true},
+                            {"laws_quasi_static", 2, 3, false, true, "muscle", 0, false, false, true}};
       for (const TissueKind &kind : tissue_kinds())
         if (kind.id != muscle_id)
           all.push_back({kind.name, 2, 3, true, false, kind.name});
@@ -94,6 +101,9 @@ namespace myolines
             p.fields.activation_scale = "1-20*z";
             p.fields.direction        = {{"0.87", "0.1+x", "0.47-2*y"}};
           }
+        if (GetParam().laws)
+          for (const LawKind &kind : law_kinds())
+            p.muscle().laws.push_back({kind.name, kind.make(nullptr), 0.3});
         if (GetParam().smooth)
           {
             p.curves         = std::make_shared<CurveSet>(smooth_curves());
@@ -181,7 +191,7 @@ namespace myolines
 
     TEST_P(Taylor, Damping)
     {
-      if (GetParam().dynamic && GetParam().active)
+      if (GetParam().rates())
         {
           // Differences reach over knots of the splines, where third derivatives jump.
           EXPECT_LT(error(system_, {0, 1, 0}), GetParam().smooth ? 1e-7 : 1e-8);
@@ -214,8 +224,8 @@ namespace myolines
       Muscle3dSystem symmetrised(parameters, MPI_COMM_WORLD, ledger_);
       symmetrised.move_mesh(distort);
       const double e = error(symmetrised, {1, 0, 0});
-      if (GetParam().dynamic && GetParam().active)
-        EXPECT_GT(e, 1e-5);
+      if (GetParam().rates())
+        EXPECT_GT(e, GetParam().active ? 1e-5 : 5e-8); // fluids are nearly symmetric at these velocities
       else
         EXPECT_LT(e, 1e-8); // without force-velocity nothing is left to symmetrise
     }

@@ -22,16 +22,18 @@ namespace myolines
   constexpr int n_lanes = 8;
 
 #define MYOLINES_INLINE inline __attribute__((always_inline))
+#define MYOLINES_INLINED __attribute__((always_inline)) // of a lambda
 
   /// One number per lane, as vectors of the width that the instruction set has. The tag makes every function that takes a
   /// Lanes a different function for each instruction set, so the linker can never put a wide copy of one into a program
-  /// running on a narrow processor.
-  template <InstructionSet isa, typename Real = double>
+  /// running on a narrow processor. Fewer lanes than n_lanes, such as those of one vector, suit what has many numbers at once.
+  template <InstructionSet isa, typename Real = double, int n = n_lanes>
   struct Lanes
   {
+    static constexpr int size    = n;
     static constexpr int bytes   = isa == InstructionSet::avx512 ? 64 : isa == InstructionSet::avx2 ? 32 : 16;
-    static constexpr int width   = bytes / sizeof(Real) < n_lanes ? bytes / sizeof(Real) : n_lanes;
-    static constexpr int n_parts = n_lanes / width;
+    static constexpr int width   = bytes / sizeof(Real) < n ? bytes / sizeof(Real) : n;
+    static constexpr int n_parts = n / width;
     typedef Real         Vec __attribute__((vector_size(width * sizeof(Real))));
     using Integer = std::conditional_t<sizeof(Real) == 8, long, int>;
     typedef Integer Bits __attribute__((vector_size(width * sizeof(Real))));
@@ -90,6 +92,7 @@ namespace myolines
     }
     friend MYOLINES_INLINE Lanes sqrt(const Lanes &x) { return x.map(__builtin_sqrt); }
     friend MYOLINES_INLINE Lanes cbrt(const Lanes &x) { return x.map(__builtin_cbrt); }
+    friend MYOLINES_INLINE Lanes exp(const Lanes &x) { return x.map(__builtin_exp); }
     friend MYOLINES_INLINE Lanes sin(const Lanes &x) { return x.map(__builtin_sin); }
     friend MYOLINES_INLINE Lanes cos(const Lanes &x) { return x.map(__builtin_cos); }
 
@@ -114,7 +117,7 @@ namespace myolines
     MYOLINES_INLINE Lanes map(const Function &f) const
     {
       Lanes y;
-      for (int lane = 0; lane < n_lanes; ++lane)
+      for (int lane = 0; lane < n; ++lane)
         y.set(lane, f((*this)[lane]));
       return y;
     }
@@ -124,6 +127,7 @@ namespace myolines
   MYOLINES_INLINE double select(const bool where, const double yes, const double no) { return where ? yes : no; }
   MYOLINES_INLINE double sqrt(const double x) { return __builtin_sqrt(x); }
   MYOLINES_INLINE double cbrt(const double x) { return __builtin_cbrt(x); }
+  MYOLINES_INLINE double exp(const double x) { return __builtin_exp(x); }
   MYOLINES_INLINE double sin(const double x) { return __builtin_sin(x); }
   MYOLINES_INLINE double cos(const double x) { return __builtin_cos(x); }
 } // namespace myolines

@@ -46,7 +46,7 @@ namespace myolines::curves
   MYOLINES_INLINE Curve<T> evaluate(const Pieces &pieces, const T &s)
   {
     Curve<T> result;
-    for (int lane = 0; lane < n_lanes; ++lane)
+    for (int lane = 0; lane < T::size; ++lane)
       {
         const Curve<double> one = evaluate(pieces, double(s[lane]));
         result.value.set(lane, one.value);

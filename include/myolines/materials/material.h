@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <myolines/materials/curves.h>
+#include <myolines/materials/laws/active_fibre.h>
+#include <myolines/materials/laws/passive_fibre.h>
+#include <myolines/materials/laws/tendinous_fibre.h>
+#include <myolines/materials/laws/yeoh.h>
 
 namespace myolines
 {
@@ -74,45 +77,23 @@ namespace myolines
   template <typename T>
   MYOLINES_INLINE FibreStress<T> fibre_stress(const T *material, const FibreTerms &terms, const T &lam, const T &e)
   {
-    T stress(0.), d_stretch(0.), d_rate(0.);
+    T          stress(0.), d_stretch(0.), d_rate(0.);
+    const auto add = [&](const FibreResponse<T> &of) {
+      stress += of.stress;
+      d_stretch += of.by_stretch;
+    };
     if (terms.muscle)
-      {
-        const curves::Curve<T> passive = curves::passive(lam, terms.curves);
-        stress                         = material[material_passive] * passive.value;
-        d_stretch                      = material[material_passive] * passive.slope;
-      }
+      add(PassiveFibre<T>(material[material_passive]).of_stretch(lam, terms.curves));
     if (terms.active)
       {
-        const curves::Curve<T> active = curves::active(lam, terms.curves);
-        const T                scale  = material[material_active] * terms.activation->at(material[material_region]);
-        curves::Curve<T>       velocity{T(1.), T(0.)};
-        if (terms.rate)
-          velocity = curves::force_velocity(e, terms.curves);
-        stress += scale * active.value * velocity.value;
-        d_stretch += scale * active.slope * velocity.value;
-        d_rate = scale * active.value * velocity.slope;
+        const T                strength = material[material_active] * terms.activation->at(material[material_region]);
+        const FibreResponse<T> active   = ActiveFibre<T>::of_rate(strength, lam, e, terms.rate, terms.curves);
+        add(active);
+        d_rate = active.by_rate;
       }
     if (terms.tendon)
-      {
-        const curves::Curve<T> tendon = curves::tendon(lam, terms.curves);
-        stress += material[material_tendon] * tendon.value;
-        d_stretch += material[material_tendon] * tendon.slope;
-      }
+      add(TendinousFibre<T>(material[material_tendon]).of_stretch(lam, terms.curves));
     const T inverse = T(1.) / lam;
     return {inverse * stress, inverse * (d_stretch - inverse * stress), inverse * d_rate};
-  }
-
-  /// First and second derivative of the isotropic energy sum C_k (I1 - 3)^k, k from 1, with respect to I1 [Pa]; @p C has 3.
-  template <typename T>
-  struct YeohDerivatives
-  {
-    T first;
-    T second;
-  };
-  template <typename T>
-  MYOLINES_INLINE YeohDerivatives<T> yeoh(const T *C, const T &I1)
-  {
-    const T x = I1 - T(3.);
-    return {C[0] + x * (T(2.) * C[1] + x * T(3.) * C[2]), T(2.) * C[1] + x * T(6.) * C[2]};
   }
 } // namespace myolines

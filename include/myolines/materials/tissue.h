@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/materials/laws.h>
 #include <myolines/materials/material.h>
 #include <myolines/scene/scene.h>
 
@@ -39,6 +40,7 @@ namespace myolines
     double                maximum_strain_rate = 5;   ///< e0 [1/s]; muscle
     bool                  force_velocity      = true;
     std::array<double, 3> direction{{1, 0, 0}}; ///< a0 at rest, unit
+    bool                  follows_body = true;  ///< whether the fields of fibre directions of the body are its own
   };
 
   /// Fat within a tissue, thesis 5.2.3: all other parts weigh 1 - fraction.
@@ -65,6 +67,11 @@ namespace myolines
     YeohParameters                  base;   ///< likewise
     std::optional<MatrixParameters> matrix; ///< none: one base material
     FatParameters                   fat;
+    std::vector<TissuePart>         laws; ///< that are added to fibre and base
+
+    /// Shear modulus at rest that the laws have together [Pa].
+    double shear_modulus_of_laws() const;
+    bool   viscous() const; ///< whether some law depends on the rate of strain
   };
 
   /// A tissue that scenes can name.
@@ -76,8 +83,13 @@ namespace myolines
     TissueParameters defaults;
   };
   constexpr unsigned int muscle_id = 1, aponeurosis_id = 2, tendon_id = 3; ///< as in the peer's meshes
-  /// All of them, muscle first.
+  /// Those that are printed in the thesis, muscle first.
   const std::vector<TissueKind> &tissue_kinds();
+
+  /// Names of all tissues of a scene: the printed ones, then those of its own; the material id is the place, from 1.
+  using TissueNames = std::vector<std::string>;
+  TissueNames  printed_tissues();
+  unsigned int tissue_id(const TissueNames &names, const std::string &name); ///< 0: none has this name
 
   using Material = std::array<double, n_material_values>;
 
@@ -88,4 +100,8 @@ namespace myolines
   /// Declaration of the list of a tissue in a scene, and its reading. Directions are the caller's.
   scene::Schema    tissue_schema(const TissueKind &kind);
   TissueParameters read_tissue(const TissueKind &kind, const scene::Node &node);
+
+  /// The same of a tissue of the scene's own, which is the sum of its laws.
+  scene::Schema    own_tissue_schema();
+  TissueParameters read_own_tissue(const scene::Node &node);
 } // namespace myolines

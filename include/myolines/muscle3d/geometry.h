@@ -37,7 +37,9 @@ namespace myolines
     std::array<double, 3>       size{{0.03, 0.01, 0.01}}; ///< length along the line of action x, width, height [m]
     std::array<unsigned int, 3> cells{{1, 1, 1}};         ///< coarse cells per direction
     unsigned int                refinement = 3;           ///< global refinements of the coarse cells
-    double distortion = 0; ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
+    double       distortion = 0;        ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
+    std::string  tissue     = "muscle"; ///< of a block, and its material id
+    unsigned int tissue_id  = muscle_id;
     std::optional<Gastrocnemius>    gastrocnemius;
     std::shared_ptr<const MeshBody> mesh; ///< with neither: a block
   };
@@ -56,7 +58,7 @@ namespace myolines
   /// Centre of a face: the mean of its points [m].
   dealii::Point<3> face_centre(const Geometry &geometry, unsigned int face);
 
-  /// Tissues (tissue_kinds()) that the cells of the body are made of, by name.
+  /// Tissues that the cells of the body are made of, by name.
   std::vector<std::string> tissues_of(const Geometry &geometry);
 
   /// Makes the mesh, faces numbered as named, cells with the material id of their tissue.
@@ -64,5 +66,5 @@ namespace myolines
 
   /// Declaration of the list `geometry`, and its reading. @throws InputError for angles that close no triangle.
   scene::Schema geometry_schema();
-  Geometry      read_geometry(const scene::Node &node);
+  Geometry      read_geometry(const scene::Node &node, const TissueNames &tissues);
 } // namespace myolines

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <myolines/base/lanes.h>
-#include <myolines/materials/material.h>
+#include <myolines/materials/law_kernels.h>
 
 #include <cstddef>
 
@@ -30,8 +30,11 @@ namespace myolines
     bool                rate;           ///< ... and depends on the strain rate
     bool                inertia;        ///< M a takes part
     bool                exact_tangent;  ///< else its symmetric part
+    bool                viscous;        ///< some law depends on the rate of strain
     bool                fixed_pressure; ///< actions leave out the change of the pressure
     curves::FibreCurves curves;         ///< of the user, where there are any; borrowed
+
+    bool velocities() const { return rate || viscous; } ///< whether stresses depend on them
   };
 
   /// One batch of cells (see CellBatches and PointMaterials); borrowed.
@@ -45,6 +48,10 @@ namespace myolines
     unsigned int        material_stride;   ///< doubles between points, 0 if all points are alike
     bool                muscle, tendon;    ///< whether some point has such fibres
     int                 n_filled;
+
+    const LawTerm *laws; ///< of the tissues that the points are made of
+    int            n_laws;
+    double         law_shear; ///< their shear modulus at rest together [Pa]
 
     const double *local  = nullptr; ///< D and p of the state, [2][n_modes] lanes; none: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h))
     bool          solved = false;   ///< the pressure is Pi(Psi_vol'(D) + Psi_vol''(D) (Pi(J) - D)) instead of p
@@ -89,10 +96,11 @@ namespace myolines
     tangent_size_rate = 25
   };
 
-  /// Doubles of the tangent of one batch: the points, then the matrix of the volumetric modes.
-  inline std::size_t tangent_size(const int n_points, const int n_modes, const bool rate)
+  /// Doubles of the tangent of one batch: the points, then the matrix of the volumetric modes, then Fdot of the points if laws need it.
+  inline std::size_t tangent_size(const int n_points, const int n_modes, const KernelModel &model)
   {
-    return std::size_t(n_lanes) * (n_points * (rate ? tangent_size_rate : tangent_size_0) + n_modes * n_modes);
+    return std::size_t(n_lanes) *
+           (n_points * ((model.rate ? tangent_size_rate : tangent_size_0) + (model.viscous ? 9 : 0)) + n_modes * n_modes);
   }
 
   /// The kernels for one instruction set and one degree. u, v, a, x, y, r are the local arrays of vectors (ghosts

@@ -25,7 +25,7 @@ namespace myolines
     tendon_fibre,
     tendon_base,
     fat_part,
-    n_stress_parts
+    n_stress_parts ///< of the printed tissues; laws have theirs behind
   };
 
   /// A quantity split by the part of the stress it comes from. The parts add up to the total: each has its weight in the mix.
@@ -33,6 +33,7 @@ namespace myolines
   struct Parts
   {
     std::array<T, n_stress_parts> part{};
+    std::vector<T>                laws; ///< as Muscle3dParameters::law_parts()
 
     T       &operator[](const StressPart p) { return part[p]; }
     const T &operator[](const StressPart p) const { return part[p]; }
@@ -42,9 +43,31 @@ namespace myolines
       T sum{};
       for (unsigned int p = volumetric_part + 1; p < n_stress_parts; ++p)
         sum += part[p];
+      for (const T &law : laws)
+        sum += law;
       return sum;
     }
     T total() const { return part[volumetric_part] + isochoric(); }
+
+    /// f(part of this, same part of @p other) for all; this may have no laws yet.
+    template <typename Other, typename Function>
+    void for_each(const Parts<Other> &other, const Function &f)
+    {
+      laws.resize(other.laws.size());
+      for (unsigned int p = 0; p < n_stress_parts; ++p)
+        f(part[p], other.part[p]);
+      for (std::size_t l = 0; l < laws.size(); ++l)
+        f(laws[l], other.laws[l]);
+    }
+    /// f(part) for all.
+    template <typename Function>
+    void for_each(const Function &f)
+    {
+      for (T &one : part)
+        f(one);
+      for (T &one : laws)
+        f(one);
+    }
   };
 
   /// Which points of the muscle the slab averages use: those from 3/8 to 5/8 of the line of action, X_1 in [3/8 L, 5/8 L] of the thesis, or
@@ -60,7 +83,7 @@ namespace myolines
   {
     double active_power =
         0; ///< what the active stress would do isometrically, - int sigma0 a sA lam-dot/lam, positive while fibres shorten
-    double dissipation      = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0
+    double dissipation      = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0, and what laws dissipate
     double body_force_power = 0;
     double traction_power   = 0; ///< of pressures, isotonic loads and far ends of tendons too
   };
@@ -78,6 +101,7 @@ namespace myolines
     double        stored_passive    = 0; ///< int sigma0 int sP/lam dlam, of the muscle [J]
     double        stored_springs    = 0; ///< in elastic foundations, tendons and stops at faces [J]
     double        stored_tendinous  = 0; ///< int sigma0 int sT/lam dlam from rest, of aponeurosis and tendon [J]
+    double        stored_laws       = 0; ///< of the laws that are added to tissues [J]
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
     double               slab_volume      = 0; ///< current [m^3]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/materials/tissue.h>
 #include <myolines/meshes/plain_mesh.h>
 
 #include <deal.II/base/point.h>
@@ -49,11 +50,12 @@ namespace myolines
     /// The name of all quadrilaterals of the boundary that no other face has.
     static constexpr const char *rest = "rest";
 
-    /// Groups of cells are tissues, by name ("muscle", "aponeurosis", "tendon", or such a name, a space and more: "muscle soleus") or,
-    /// without one, by number (1, 2, 3); without any, and with a single group of any other name, all is muscle. Groups of surfaces name
-    /// faces; without a name their number is it. Faces by place take what these leave.
+    /// Groups of cells are tissues, by name (one of @p names, or such a name, a space and more: "muscle soleus") or,
+    /// without one, by number (1, 2, 3, ...); without any, and with a single group of any other name, all is muscle. Groups of surfaces
+    /// name faces; without a name their number is it. Faces by place take what these leave.
     /// @throws InputError at @p where for a file that is no mesh, inverted or degenerate cells, hanging points, several parts that do not
     /// touch, surfaces that overlap, and unknown tissues.
-    MeshBody(const std::filesystem::path &file, double scale, const std::string &where, const std::vector<PlacedFace> &placed = {});
+    MeshBody(const std::filesystem::path &file, double scale, const std::string &where, const std::vector<PlacedFace> &placed = {},
+             const TissueNames &names = printed_tissues());
   };
 } // namespace myolines

@@ -8,5 +8,5 @@ namespace myolines
 {
   /// Declaration of the body of a mesh file in the list `geometry`, and its reading.
   scene::Schema                   mesh_body_schema();
-  std::shared_ptr<const MeshBody> read_mesh_body(const scene::Node &node);
+  std::shared_ptr<const MeshBody> read_mesh_body(const scene::Node &node, const TissueNames &names);
 } // namespace myolines

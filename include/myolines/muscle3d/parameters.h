@@ -26,6 +26,14 @@ namespace myolines
     std::shared_ptr<const Drive> activation; ///< nullptr: none
   };
 
+  /// A law of a tissue as a part of the body.
+  struct LawPart
+  {
+    unsigned int      tissue; ///< material id
+    const TissuePart *part;   ///< borrowed
+    std::string       name;   ///< of tissue and part: "myocardium wall"
+  };
+
   struct Muscle3dParameters
   {
     bool                                      dynamic       = true;
@@ -33,7 +41,9 @@ namespace myolines
     unsigned int                              degree        = 2; ///< of the displacement, 1..3
     unsigned int                              n_points      = 4; ///< Gauss points per direction, 2..6
     Geometry                                  geometry;
-    std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}}; ///< of the cells, by material id
+    TissueNames                               tissue_names = printed_tissues(); ///< of all that there could be
+    std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}};         ///< of the cells, by material id; the muscle in any case
+    bool                                      has_muscle = true;                ///< whether the body has any
     BodyFields                                fields;
     BoundaryConditions                        boundary;
     InitialMotion                             initial;
@@ -43,13 +53,17 @@ namespace myolines
     std::vector<ActivationRegion>             regions;    ///< at most max_regions - 1, places in fields.regions
     std::optional<std::array<std::string, 3>> body_force; ///< per reference volume [N/m^3], formulas of x, y, z, t
 
+    /// Of all tissues, one behind the other.
+    std::vector<LawPart> law_parts() const;
+    bool                 any_laws() const { return !law_parts().empty(); }
+
     const TissueParameters &tissue(const unsigned int material_id) const { return tissues.at(material_id); }
     TissueParameters       &muscle() { return tissues.at(muscle_id); }
     const TissueParameters &muscle() const { return tissues.at(muscle_id); }
-    /// Whether there may be active stress at some time.
+    /// Whether there may be active stress at some time, whether it depends on the strain rate, and whether laws of tissues do.
     bool active() const;
-    /// Whether stress depends on the strain rate.
     bool force_velocity() const { return dynamic && active() && muscle().fibre.force_velocity; }
+    bool viscous() const;
     /// At time t.
     Activation activation_at(double t, Side side) const;
     /// All drives of the activation.
@@ -63,6 +77,9 @@ namespace myolines
 
   /// Declaration of the list `system` for type "muscle 3d".
   scene::Schema muscle3d_schema();
+
+  /// Of the list `tissues`: the printed tissues, then the scene's own.
+  TissueNames read_tissue_names(const scene::Node &tissues);
 
   /// @throws InputError for what ranges cannot express (unknown face or component, a direction of length zero, two
   /// conditions that prescribe the same component of the same face, malformed formulas).

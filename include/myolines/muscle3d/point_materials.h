@@ -6,6 +6,8 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,20 +34,40 @@ namespace myolines
     bool muscle(const unsigned int b) const { return batches_[b].muscle; }
     bool tendon(const unsigned int b) const { return batches_[b].tendon; }
 
+    /// Laws that are added on the points of the batch; borrowed.
+    struct Laws
+    {
+      const LawTerm *terms;
+      int            n;
+      double         shear; ///< their modulus at rest together [Pa], the largest of the tissues
+    };
+    Laws laws(const unsigned int b) const
+    {
+      const Batch &batch = batches_[b];
+      return {terms_.data() + batch.first_term, batch.n_terms, batch.shear};
+    }
+
   private:
     struct Batch
     {
       std::size_t  first;
       unsigned int stride;
       bool         muscle, tendon;
+      int          first_term = 0, n_terms = 0;
+      double       shear = 0;
     };
+    /// Of the tissues with the material ids from @p first to @p last.
+    void set_laws(unsigned int first, unsigned int last, Batch &batch) const;
 
     class Gradients;
     void add_field(const MaterialField &field, const CellBatches &batches, const Element &element, unsigned int b, Gradients *gradients);
 
-    dealii::AlignedVector<double> values_;
-    std::vector<Batch>            batches_;
-    std::string                   problem_;
-    std::vector<unsigned int>     points_of_region_;
+    dealii::AlignedVector<double>           values_;
+    std::vector<Batch>                      batches_;
+    std::vector<std::shared_ptr<const Law>> laws_;      ///< keeps those of the terms
+    std::vector<LawTerm>                    terms_;     ///< tissue after tissue
+    std::map<unsigned int, double>          law_shear_; ///< by tissue
+    std::string                             problem_;
+    std::vector<unsigned int>               points_of_region_;
   };
 } // namespace myolines

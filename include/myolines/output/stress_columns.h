@@ -16,11 +16,13 @@ namespace myolines
     explicit PeerParts(const Muscle3dParameters &parameters)
       : chosen_{{muscle_active, "Muscle active"}, {muscle_passive, "Muscle passive"}, {muscle_base, "Muscle base"}}
     {
-      if (parameters.tissues.size() > 1)
+      if (parameters.tissues.count(aponeurosis_id) + parameters.tissues.count(tendon_id) > 0)
         for (const StressPart part : {aponeurosis_fibre, aponeurosis_base, tendon_fibre, tendon_base})
           chosen_.push_back({part, tendinous(part)});
       if (parameters.has_fat())
         chosen_.push_back({fat_part, "Fat"});
+      for (const LawPart &law : parameters.law_parts())
+        laws_.push_back(law.name);
     }
 
     /// The peer writes "Apo" in its files of forces and "Aponeurosis" in that of energies.
@@ -33,6 +35,7 @@ namespace myolines
             name.insert(0, aponeurosis);
           all.push_back(name);
         }
+      all.insert(all.end(), laws_.begin(), laws_.end());
       return all;
     }
 
@@ -42,6 +45,7 @@ namespace myolines
       std::vector<T> all{parts.total(), parts[volumetric_part], parts.isochoric()};
       for (const auto &[part, name] : chosen_)
         all.push_back(parts[part]);
+      all.insert(all.end(), parts.laws.begin(), parts.laws.end());
       return all;
     }
 
@@ -55,5 +59,6 @@ namespace myolines
     }
 
     std::vector<std::pair<StressPart, std::string>> chosen_;
+    std::vector<std::string>                        laws_; ///< under the names of the scene
   };
 } // namespace myolines

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <myolines/materials/material.h>
+
+#include <cstddef>
+
+namespace myolines
+{
+  // Laws on all points of a batch, one call for each. Plain data only: compiled for several instruction sets, as the cell kernels are.
+
+  /// A law with its parameters, as a part of a tissue.
+  struct LawTerm
+  {
+    unsigned int number; ///< of the law in the list
+    const void  *law;    ///< its struct; borrowed
+    double       weight;
+    unsigned int tissue; ///< material id: points of other tissues have no part in it
+  };
+
+  /// Points of a batch; fields of lanes, strides in doubles. Borrowed.
+  struct LawPoints
+  {
+    int                        n;
+    const double              *F; ///< 9
+    std::size_t                F_stride;
+    const double              *F_rate; ///< 9 each, one behind the other; nullptr: zero
+    const double              *material;
+    std::size_t                material_stride;
+    const double              *geometry; ///< 9 of dxi_A/dX_J and det(dX/dxi)
+    std::size_t                geometry_stride;
+    const double              *weight; ///< of the quadrature, one number for each
+    const Activation          *activation;
+    const curves::FibreCurves *curves;
+  };
+
+  /// Weights of dP/dF and dP/dF_rate.
+  struct LawWeights
+  {
+    double u, v;
+    bool   symmetrised; ///< of the moduli the symmetric part only
+  };
+
+  struct LawKernels
+  {
+    /// P[9 q + i] += the stress [Pa].
+    void (*stress)(const LawTerm &, const LawPoints &, double *P);
+
+    /// dP[9 q + i] += the change of the stress along dF[9 q + i], times JxW.
+    void (*action)(const LawTerm &, const LawPoints &, const LawWeights &, const double *dF, double *dP);
+
+    /// c[((3 a + b) * 9 + 3 A + B) n + q] += moduli in unit-cell directions A and B, times JxW.
+    void (*coefficients)(const LawTerm &, const LawPoints &, const LawWeights &, double *c);
+  };
+
+  // Tables by number of the law; each is defined in the unit compiled for that instruction set.
+  extern const LawKernels law_kernels_baseline[];
+  extern const LawKernels law_kernels_avx2[];
+  extern const LawKernels law_kernels_avx512[];
+
+  template <InstructionSet isa>
+  MYOLINES_INLINE const LawKernels &law_kernels(const unsigned int number)
+  {
+#if defined(__x86_64__)
+    if (isa == InstructionSet::avx512)
+      return law_kernels_avx512[number];
+    if (isa == InstructionSet::avx2)
+      return law_kernels_avx2[number];
+#endif
+    return law_kernels_baseline[number];
+  }
+} // namespace myolines

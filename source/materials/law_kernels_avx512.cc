@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#if defined(__x86_64__)
+#  include "law_kernels_impl.h"
+
+namespace myolines
+{
+  const LawKernels law_kernels_avx512[] = {
+#  define MYOLINES_LAW(file, law) make_law_kernels<InstructionSet::avx512, law>(),
+#  include <myolines/materials/laws/list.def>
+#  undef MYOLINES_LAW
+  };
+} // namespace myolines
+#endif

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#include "law_kernels_impl.h"
+
+namespace myolines
+{
+  const LawKernels law_kernels_baseline[] = {
+#define MYOLINES_LAW(file, law) make_law_kernels<InstructionSet::baseline, law>(),
+#include <myolines/materials/laws/list.def>
+#undef MYOLINES_LAW
+  };
+} // namespace myolines

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Newtonian viscosity in motion against closed forms, and the order of every method.
+#include "bar.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace myolines
+{
+  namespace
+  {
+    TissuePart dashpot(const std::string &kind, const std::vector<std::string> &entries)
+    {
+      std::vector<std::string> all{"type=" + kind};
+      all.insert(all.end(), entries.begin(), entries.end());
+      const scene::Node node = scene::list_of_defaults(*laws_schema().named(), "dashpot", all);
+      for (const LawKind &of_list : law_kinds())
+        if (of_list.name == kind)
+          return {"dashpot", of_list.make(&node), 1};
+      throw std::logic_error("no law " + kind);
+    }
+
+    /// strain = rate t
+    class Ramp : public Drive
+    {
+    public:
+      explicit Ramp(const double rate)
+        : rate_(rate)
+      {}
+      double              value(double t, Side) const override { return rate_ * t; }
+      double              first_derivative(double, Side) const override { return rate_; }
+      double              second_derivative(double, Side) const override { return 0; }
+      std::vector<double> kinks(double, double) const override { return {}; }
+
+    private:
+      double rate_;
+    };
+
+    /// A bar of c1, pulled at a constant rate: at constant volume P_11 = 2 c1 (l - l^-2) + (3 eta + eta_f) l-dot/l^2.
+    TEST(ViscousBar, PulledSteadilyHasThreeTimesTheViscosity)
+    {
+      const double       rate = 0.5, end = 0.4, c1 = 2e4, stretch = 1 + rate * end, eta = 2e4, of_fibres = 3e4;
+      Muscle3dParameters p       = test::bar({test::condition(test::Type::symmetry, 0)});
+      p.dynamic                  = true;
+      p.muscle().base            = {1, {c1, 0, 0}};
+      p.muscle().bulk_modulus    = 1e9;
+      p.muscle().fibre.direction = {{1, 0, 0}};
+      p.muscle().laws            = {dashpot("viscosity", {"shear viscosity=2e4"}), dashpot("fibre viscosity", {"viscosity=3e4"})};
+      BoundaryCondition pull     = test::held(1, true, false, false);
+      pull.name                  = "pulled";
+      pull.type                  = BoundaryCondition::Type::strain;
+      pull.reference_length      = 0.03;
+      pull.strain                = std::make_shared<Ramp>(rate);
+      p.boundary.push_back(pull);
+      p.initial.velocity = std::array<std::string, 3>{{"0.5*x", "-0.25*y", "-0.25*z"}};
+      test::Simulation bar(p);
+      bar.go("sdirk3", 64, end, [](const State &) {});
+      const double expected = 2 * c1 * (stretch - 1 / (stretch * stretch)) + (3 * eta + of_fibres) * rate / (stretch * stretch);
+      double       force    = 0;
+      for (const Reaction &reaction : measure_reactions(bar.system, bar.state))
+        if (reaction.condition == "pulled")
+          force = reaction.force[0];
+      EXPECT_NEAR(force, 1e-4 * expected, 2e-4 * 1e-4 * expected);
+    }
+
+    constexpr double length = 0.03, c1 = 4e4, eta = 100, density = 1060, amplitude = 1e-7, wave = 3.14159265358979324 / 2 / length;
+
+    /// u_y = amplitude sin(pi x / 2L) q(t), held at x = 0: rho q'' + eta k^2 q' + mu k^2 q = 0, q(0) = 0, q'(0) = 1.
+    double sheared(const double t)
+    {
+      const double decay = eta * wave * wave / (2 * density), omega = std::sqrt(2 * c1 * wave * wave / density - decay * decay);
+      return amplitude * std::exp(-decay * t) * std::sin(omega * t) / omega;
+    }
+
+    Muscle3dParameters shear_wave()
+    {
+      Muscle3dParameters p    = test::small_block(3, 4, 0);
+      p.geometry.cells        = {{4, 1, 1}};
+      p.activation            = nullptr;
+      p.muscle().fibre.sigma0 = 0;
+      p.muscle().base         = {1, {c1, 0, 0}};
+      p.muscle().laws         = {dashpot("viscosity", {"shear viscosity=100"})};
+      p.boundary              = {test::held(0),
+                                 test::held(1, true, false, true),
+                                 test::held(2, true, false, true),
+                                 test::held(3, true, false, true),
+                                 test::held(4, true, false, true),
+                                 test::held(5, true, false, true)};
+      p.initial.velocity      = std::array<std::string, 3>{{"0", "1e-7*sin(pi/2*x/0.03)", "0"}};
+      return p;
+    }
+
+    double tip(const std::string &method, const unsigned int steps)
+    {
+      test::Simulation bar(shear_wave(), {"relative tolerance=1e-11"});
+      bar.go(method, steps, 0.008, [](const State &) {});
+      return test::displacement(bar, test::corner)[1];
+    }
+
+    TEST(ViscousBar, RingsAsInClosedFormWithTheOrderOfEveryMethod)
+    {
+      const double exact = sheared(0.008), largest = amplitude / std::sqrt(2 * c1 * wave * wave / density);
+      unsigned int tried = 0;
+      for (const IntegratorEntry &entry : integrator_registry())
+        {
+          if (!entry.facts.dynamic || entry.facts.solves == MethodFacts::Solves::mass || entry.make_self_paced)
+            continue;
+          SCOPED_TRACE(entry.facts.name);
+          const double coarse = std::abs(tip(entry.facts.name, 32) - exact) / largest,
+                       fine   = std::abs(tip(entry.facts.name, 64) - exact) / largest;
+          EXPECT_LT(fine, entry.facts.order == 1 ? 0.1 : 2e-3);
+          EXPECT_GT(std::log2(coarse / fine), entry.facts.order - 0.25) << coarse << " " << fine;
+          ++tried;
+        }
+      EXPECT_GE(tried, 10u);
+    }
+  } // namespace
+} // namespace myolines
