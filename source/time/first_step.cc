@@ -57,12 +57,7 @@ namespace myolines
       context_.system.prescribed(state.t, Side::left, state);
   }
 
-  void Starter::save(Archive &archive) const { archive.put("first step of a piece is due", due_); }
-
-  void Starter::load(const Archive &archive)
-  {
-    due_ = stepper_ && archive.has_numbers("first step of a piece is due") && archive.number("first step of a piece is due") != 0;
-  }
+  void Starter::remember(Memory &memory) { memory.keep("first step of a piece is due", due_); }
 
   void declare_first_step(scene::Schema &schema)
   {
