@@ -29,11 +29,14 @@ namespace myolines
     {
     public:
       Bdf2(const DirkTable &starter, const IntegratorContext &context)
-        : linear_(context.system.capabilities().linear)
-        , has_accelerations_(context.error_norm != nullptr && has_accelerations(context.system))
+        : has_accelerations_(context.error_norm != nullptr && has_accelerations(context.system))
         , context_(context)
         , solver_(context)
         , starter_(starter, solver_, context)
+        , before_(context.make_state())
+        , last_(before_)
+        , end_(before_)
+        , error_(before_)
       {}
 
       void start(State &state) override
@@ -46,62 +49,35 @@ namespace myolines
 
       StepReport step(const double dt, State &state) override
       {
-        allocate(state);
-        combine(before_u_, {{1, &state.u}});
-        combine(before_v_, {{1, &state.v}});
-        if (estimates())
-          combine(before_a_, {{1, &state.a}});
+        combine(before_.u, {{1, &state.u}});
+        combine(before_.v, {{1, &state.v}});
+        combine(before_.a, {{1, &state.a}});
         StepReport report = last_dt_ == 0 ? starter_.step(dt, state) : go_on(dt, state);
         if (!report.accepted())
           return report;
-        combine(last_du_, {{1, &state.u}, {-1, &before_u_}});
-        combine(last_dv_, {{1, &state.v}, {-1, &before_v_}});
-        if (estimates())
-          combine(last_da_, {{1, &state.a}, {-1, &before_a_}});
+        combine(last_.u, {{1, &state.u}, {-1, &before_.u}});
+        combine(last_.v, {{1, &state.v}, {-1, &before_.v}});
+        combine(last_.a, {{1, &state.a}, {-1, &before_.a}});
         last_dt_ = dt;
         return report;
       }
 
-      void save(Archive &archive) const override
+      void remember(Memory &memory) override
       {
-        archive.put("last step", last_dt_);
+        memory.keep("last step", last_dt_);
         if (last_dt_ == 0)
           return;
-        archive.put("last increment of u", last_du_);
-        archive.put("last increment of v", last_dv_);
-        archive.put("last increment of a is known", estimates());
-        if (estimates())
-          archive.put("last increment of a", last_da_);
-      }
-
-      void load(const Archive &archive) override
-      {
-        last_dt_ = archive.number("last step");
-        if (last_dt_ == 0)
-          return;
-        allocate(context_.system.initial_state(0));
-        archive.read("last increment of u", last_du_);
-        archive.read("last increment of v", last_dv_);
-        if (!estimates())
-          return;
-        if (archive.number("last increment of a is known") == 0)
+        memory.keep("last increment of u", last_.u);
+        memory.keep("last increment of v", last_.v);
+        bool known = estimates();
+        memory.keep("last increment of a is known", known);
+        if (known && estimates())
+          memory.keep("last increment of a", last_.a);
+        else if (estimates())
           last_dt_ = 0; // the run to resume made no estimates: begin anew
-        else
-          archive.read("last increment of a", last_da_);
       }
 
     private:
-      void allocate(const State &state)
-      {
-        if (d_.size() != 0)
-          return;
-        for (Vector *x : {&d_, &last_du_, &last_dv_, &before_u_, &before_v_})
-          *x = state.u;
-        end_ = error_ = State{0, state.u, state.u, state.u};
-        if (estimates())
-          last_da_ = before_a_ = state.u;
-      }
-
       StepReport go_on(const double dt, State &state)
       {
         const double ratio = dt / last_dt_;
@@ -109,17 +85,12 @@ namespace myolines
         Stage        stage;
         stage.t = state.t + dt;
         stage.c = {1, c, c * c};
-
-        stage.first_v = &state.v;
         // c (u_1 - u^) = v_1, c (v_1 - v^) = a_1 with u^ = u_0 + memory du, v^ = v_0 + memory dv
-        combine(end_.v, {{1, &state.v}, {memory, &last_dv_}});
-        combine(end_.u, {{1, &state.u}, {memory, &last_du_}, {1 / c, &end_.v}});
+        combine(end_.v, {{1, &state.v}, {memory, &last_.v}});
+        combine(end_.u, {{1, &state.u}, {memory, &last_.u}, {1 / c, &end_.v}});
         end_.a = 0;
-        d_     = 0;
-        if (!linear_)
-          combine(d_, {{-memory, &last_du_}, {-1 / c, &end_.v}});
         StepReport report;
-        record(solver_.solve(stage, end_, d_), report);
+        record(solver_.solve(stage, end_, state), report);
         if (report.accepted() && estimates())
           estimate(dt, state, report);
         if (report.accepted())
@@ -132,21 +103,20 @@ namespace myolines
       void estimate(const double dt, const State &state, StepReport &report)
       {
         const double r = dt / last_dt_, factor = (1 + r) / (3 * (1 + 2 * r)) * dt;
-        combine(error_.u, {{factor, &end_.v}, {-factor, &state.v}, {-factor * r, &last_dv_}});
-        combine(error_.v, {{factor, &end_.a}, {-factor, &state.a}, {-factor * r, &last_da_}});
+        combine(error_.u, {{factor, &end_.v}, {-factor, &state.v}, {-factor * r, &last_.v}});
+        combine(error_.v, {{factor, &end_.a}, {-factor, &state.a}, {-factor * r, &last_.a}});
         record_estimate(solver_.damp(error_), report);
         if (report.accepted())
           ErrorNorm::judge(context_.error_norm->of_step(error_.u, &error_.v, state, end_), report);
       }
 
-      const bool              linear_;
       const bool              has_accelerations_;
       const IntegratorContext context_;
       StageSolver             solver_;
       DirkStepper             starter_;
       double                  last_dt_ = 0; ///< 0: nothing is remembered
-      Vector                  last_du_, last_dv_, last_da_;
-      Vector                  d_, before_u_, before_v_, before_a_;
+      State                   before_;      ///< the last step
+      State                   last_;        ///< increments of u, v, a in it
       State                   end_, error_;
     };
   } // namespace

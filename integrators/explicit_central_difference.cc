@@ -38,6 +38,8 @@ namespace myolines
         , interval_(interval)
         , context_(context)
         , solver_(context)
+        , end_(context.make_state())
+        , offset_(end_)
       {}
 
       void start(State &state) override
@@ -66,32 +68,20 @@ namespace myolines
         return report;
       }
 
-      void save(Archive &archive) const override
+      void remember(Memory &memory) override
       {
-        archive.put("stable step", stable_step_);
-        archive.put("steps since the estimate", steps_since_estimate_);
-      }
-
-      void load(const Archive &archive) override
-      {
-        stable_step_          = archive.number("stable step");
-        steps_since_estimate_ = archive.number("steps since the estimate");
+        memory.keep("stable step", stable_step_);
+        memory.keep("steps since the estimate", steps_since_estimate_);
       }
 
     private:
       void advance(const double dt, State &state, StepReport &report)
       {
-        if (d_.size() == 0)
-          {
-            d_   = state.u;
-            end_ = offset_ = State{0, state.u, state.u, state.u};
-          }
         combine(end_.u, {{1, &state.u}, {dt, &state.v}, {dt * dt / 2, &state.a}});
         combine(end_.v, {{1, &state.v}, {dt / 2, &state.a}});
         end_.a    = 0;
         offset_.u = 0;
         offset_.a = 0;
-        d_        = 0;
         combine(offset_.v, {{1, &state.v}, {dt, &state.a}});
 
         const Stage::Average at{state.t + dt, &offset_, {1, 0, 1}};
@@ -99,7 +89,7 @@ namespace myolines
         stage.t       = state.t + dt;
         stage.c       = {0, dt / 2, 1};
         stage.average = &at;
-        record(solver_.solve(stage, end_, d_), report);
+        record(solver_.solve(stage, end_, state), report);
         if (report.accepted())
           swap(state, end_);
       }
@@ -132,7 +122,6 @@ namespace myolines
       StageSolver             solver_;
       double                  stable_step_          = 0; ///< [s]
       double                  steps_since_estimate_ = 0;
-      Vector                  d_;
       State                   end_, offset_;
     };
   } // namespace
@@ -145,7 +134,6 @@ namespace myolines
     entry.schema.number("safety", 0.9, "-", scene::Range{0, 1, true, false}, "Part of the estimated stable step that may be used.")
         .integer("estimate interval", 100, scene::Range::closed(1, 1000000000), "Steps between two estimates of the stable step.");
     entry.make = [](const scene::Node &node, const IntegratorContext &context) {
-      require_accelerations(facts(), node, context);
       return std::make_unique<ExplicitCentralDifference>(node.number("safety"), node.integer("estimate interval"), context);
     };
     return entry;

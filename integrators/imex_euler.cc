@@ -60,6 +60,10 @@ namespace myolines
         , context_{*part_, context.solver, context.boundary_rates, context.ledger, context.start_velocity, context.error_norm}
         , linear_(part_->capabilities().linear)
         , solver_(context_)
+        , r_(context.make_vector())
+        , r_part_(r_)
+        , zero_(r_)
+        , end_(context.make_state())
       {}
 
       void start(State &state) override { start_piece(context_, solver_, state); }
@@ -67,14 +71,6 @@ namespace myolines
       StepReport step(const double dt, State &state) override
       {
         StepReport report;
-        if (r_.size() == 0)
-          {
-            for (Vector *x : {&r_, &r_part_, &d_, &zero_})
-              *x = state.u;
-            end_  = state;
-            zero_ = 0;
-            zero_.update_ghost_values();
-          }
         explicit_force(state, report);
         if (report.accepted())
           solve(dt, state, report);
@@ -89,9 +85,6 @@ namespace myolines
         return report;
       }
 
-      void save(Archive &) const override {}
-      void load(const Archive &) override {}
-
     private:
       /// r_ = F_E(t_0, u_0, v_0), in which M a cancels.
       void explicit_force(const State &state, StepReport &report)
@@ -103,21 +96,17 @@ namespace myolines
         combine(r_, {{1, &r_}, {-1, &r_part_}});
       }
 
-      /// As backward Euler, with d = u_1 - u~; for the first guess see StageSolver::step().
+      /// As backward Euler, with d = u_1 - u~.
       void solve(const double dt, const State &state, StepReport &report)
       {
         combine(end_.u, {{1, &state.u}, {dt, &state.v}});
         combine(end_.v, {{1, &state.v}});
         end_.a = 0;
-        if (linear_)
-          d_ = 0;
-        else
-          combine(d_, {{-dt, &state.v}});
         Stage stage;
         stage.t       = state.t + dt;
         stage.c       = {1, 1 / dt, 1 / (dt * dt)};
         stage.history = &r_;
-        record(solver_.solve(stage, end_, d_), report);
+        record(solver_.solve(stage, end_, state), report);
         end_.t = stage.t;
       }
 
@@ -160,7 +149,7 @@ namespace myolines
       const IntegratorContext                   context_; ///< of the implicit part
       const bool                                linear_;
       StageSolver                               solver_;
-      Vector                                    r_, r_part_, d_, zero_;
+      Vector                                    r_, r_part_, zero_;
       State                                     end_;
     };
 
@@ -174,6 +163,11 @@ namespace myolines
         : context_(context)
         , rates_(context.system.capabilities().rates)
         , solver_(context)
+        , r_(context.make_vector())
+        , product_(r_)
+        , d_(r_)
+        , end_(context.make_state())
+        , exact_(end_)
       {}
 
       void start(State &state) override { start_piece(context_, solver_, state); }
@@ -181,12 +175,6 @@ namespace myolines
       StepReport step(const double dt, State &state) override
       {
         StepReport report;
-        if (r_.size() == 0)
-          {
-            for (Vector *x : {&r_, &product_, &d_})
-              *x = state.u;
-            end_ = exact_ = state;
-          }
         predict(dt, state);
         solve(dt, state, report);
         report.initial_residual = report.final_residual = std::nullopt; // nobody looks at what is left of the equations
@@ -196,9 +184,6 @@ namespace myolines
           swap(state, end_);
         return report;
       }
-
-      void save(Archive &) const override {}
-      void load(const Archive &) override {}
 
     private:
       /// end_ = (u_0 + dt v_0, v_0, 0), but for constrained unknowns, which are at their ends already.
@@ -259,7 +244,6 @@ namespace myolines
 
     std::unique_ptr<Integrator> make(const scene::Node &node, const IntegratorContext &context)
     {
-      require_accelerations(facts(), node, context);
       const std::string name = node.text("split");
       if (name == tangent_split)
         return std::make_unique<TangentEuler>(context);

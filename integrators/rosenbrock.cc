@@ -39,6 +39,16 @@ namespace myolines
         : context_(context)
         , solver_(context)
         , exact_rates_(context.boundary_rates == BoundaryRates::exact)
+        , constrained_(constrained_unknowns(context))
+        , k1_c_(constrained_.size())
+        , k2_c_(constrained_.size())
+        , r_(context.make_vector())
+        , k1_(r_)
+        , change_(r_)
+        , work_(r_)
+        , zero_(r_)
+        , middle_(context.make_state())
+        , end_(middle_)
       {}
 
       void start(State &state) override
@@ -49,7 +59,6 @@ namespace myolines
 
       StepReport step(const double h, State &state) override
       {
-        allocate(state);
         prescribe(h, state);
         StepReport report;
         if (first_stage(h, state, report) && second_stage(h, state, report))
@@ -62,25 +71,16 @@ namespace myolines
         return report;
       }
 
-      void save(Archive &) const override {}
-      void load(const Archive &) override {}
-
     private:
-      void allocate(const State &state)
+      /// Local numbers.
+      static std::vector<unsigned int> constrained_unknowns(const IntegratorContext &context)
       {
-        if (zero_.size() != 0)
-          return;
-        const auto &constraints = context_.system.constraints();
-        for (unsigned int i = 0; i < state.u.locally_owned_size(); ++i)
-          if (constraints.is_constrained(state.u.get_partitioner()->local_to_global(i)))
-            constrained_.push_back(i);
-        middle_ = end_ = State{0, state.u, state.u, state.u};
-        for (Vector *x : {&r_, &k1_, &change_, &work_, &zero_})
-          *x = state.u;
-        zero_ = 0;
-        zero_.update_ghost_values();
-        k1_c_.resize(constrained_.size());
-        k2_c_.resize(constrained_.size());
+        const Vector              layout = context.make_vector();
+        std::vector<unsigned int> all;
+        for (unsigned int i = 0; i < layout.locally_owned_size(); ++i)
+          if (context.system.constraints().is_constrained(layout.get_partitioner()->local_to_global(i)))
+            all.push_back(i);
+        return all;
       }
 
       /// k_1v and k_2v of constrained unknowns: the derivatives of their motion, or what makes the formulas of u meet g at
@@ -197,13 +197,13 @@ namespace myolines
 
       static Weights matrix(const double h) { return {h * d * h * d, h * d, 1}; }
 
-      const IntegratorContext   context_;
-      StageSolver               solver_;
-      const bool                exact_rates_;
-      std::vector<unsigned int> constrained_; ///< local numbers
-      std::vector<double>       k1_c_, k2_c_, k1_v_, k1_a_;
-      Vector                    r_, k1_, change_, work_, zero_;
-      State                     middle_, end_;
+      const IntegratorContext         context_;
+      StageSolver                     solver_;
+      const bool                      exact_rates_;
+      const std::vector<unsigned int> constrained_;
+      std::vector<double>             k1_c_, k2_c_, k1_v_, k1_a_;
+      Vector                          r_, k1_, change_, work_, zero_;
+      State                           middle_, end_;
     };
   } // namespace
 
@@ -213,7 +213,6 @@ namespace myolines
     entry.facts  = facts();
     entry.schema = scene::Schema(entry.facts.summary);
     entry.make   = [](const scene::Node &node, const IntegratorContext &context) {
-      require_accelerations(facts(), node, context);
       for (const auto &line : context.system.constraints().get_lines())
         if (context.boundary_rates == BoundaryRates::scheme && !line.entries.empty())
           node.refuse("type", "scheme rates are not defined for unknowns that depend on others", "\"time/boundary rates\" = \"exact\"");

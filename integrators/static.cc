@@ -40,10 +40,8 @@ namespace myolines
         stage.t = state.t + dt;
         stage.c = {1, 0, 0};
 
-        State  rest       = at_rest(state);
-        Vector increment  = state.u;
-        increment         = 0;
-        StepReport report = solver_.step(stage, rest, increment, state);
+        State      rest   = at_rest(state);
+        StepReport report = solver_.step(stage, rest, state);
         if (report.accepted() || !report.shorter_steps)
           return report;
         const bool moved = moves(stage, state);
@@ -61,9 +59,6 @@ namespace myolines
           advise(moved || depends_on_time(stage, state), report);
         return report;
       }
-
-      void save(Archive &) const override {}
-      void load(const Archive &) override {}
 
     private:
       static IntegratorContext at_rest(IntegratorContext context)

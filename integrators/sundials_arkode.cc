@@ -195,7 +195,6 @@ namespace myolines
         return report;
       }
 
-      void save(Archive &) const override {}
       void load(const Archive &) override { end_.clear(); }
 
     private:
@@ -251,14 +250,8 @@ namespace myolines
         .number("relative tolerance", 1e-10, "-", Range{0, 1, true, true},
                 "Of Newton's method where steps are given: of the sizes of displacements and velocities.")
         .number("absolute tolerance", 1e-12, "m, m/s", Range::positive(), "The same beyond that.");
-    entry.make = [](const scene::Node &node, const IntegratorContext &context) {
-      require_accelerations(facts(), node, context);
-      refuse_given_rates(facts(), node, context);
-      return std::make_unique<FixedArkode>(node, context);
-    };
+    entry.make = [](const scene::Node &node, const IntegratorContext &context) { return std::make_unique<FixedArkode>(node, context); };
     entry.make_self_paced = [](const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits) {
-      require_accelerations(facts(), node, context);
-      refuse_given_rates(facts(), node, context);
       if (arkode_tables(node).embedded_order() == 0)
         node.refuse("explicit table", "the table has no embedded formula to estimate errors with", "another table",
                     "or \"time/control/type\" = \"fixed\"");

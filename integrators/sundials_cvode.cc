@@ -192,8 +192,6 @@ namespace myolines
         .integer("maximum order", 5, scene::Range::closed(1, 12), "At most 5 for bdf, 12 for adams.")
         .boolean("stability limit detection", false, "Lowers the order of bdf where an oscillation would be unstable at the present one.");
     entry.make_self_paced = [](const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits) {
-      require_accelerations(facts(), node, context);
-      refuse_given_rates(facts(), node, context);
       const bool adams = node.text("formula") == "adams";
       if (!adams && node.integer("maximum order") > 5)
         node.refuse("maximum order", "bdf has no order above 5", "1 to 5");

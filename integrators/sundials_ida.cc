@@ -20,7 +20,7 @@ namespace myolines
       facts.reference    = "Hindmarsh et al., doi:10.1145/1089014.1089020; Brenan, Campbell and Petzold, doi:10.1137/1.9781611971224";
       facts.order        = 5;
       facts.stability    = "A-stable up to order 2, stiffly stable up to 5";
-      facts.unknowns     = MethodFacts::Unknowns::second_order;
+      facts.unknowns     = MethodFacts::Unknowns::first_or_second_order;
       facts.scheme_rates = false;
       facts.restart      = MethodFacts::Restart::reinitialise;
       return facts;
@@ -153,10 +153,6 @@ namespace myolines
     entry.schema = scene::Schema(entry.facts.summary);
     entry.schema.integer("maximum order", 5, scene::Range::closed(1, 5), "Of the formulas.");
     entry.make_self_paced = [](const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits) {
-      const bool first_order = context.system.capabilities().orders == std::vector<unsigned int>{1}; // u' - v = 0, F(t, u, v) = 0
-      if (!first_order)
-        require_accelerations(facts(), node, context);
-      refuse_given_rates(facts(), node, context);
       return std::make_unique<Ida>(node.integer("maximum order"), context, limits);
     };
     return entry;

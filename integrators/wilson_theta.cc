@@ -38,9 +38,10 @@ namespace myolines
       WilsonTheta(const double theta, const FirstStep first, const IntegratorContext &context)
         : theta_(theta)
         , system_(context.system)
-        , linear_(context.system.capabilities().linear)
         , solver_(context)
         , starter_(first, solver_, context, 2, 2)
+        , end_(context.make_state())
+        , offset_(end_)
       {}
 
       void start(State &state) override { starter_.start(state); }
@@ -52,23 +53,14 @@ namespace myolines
         return starter_.takes_next_step() ? starter_.step(dt, state) : go_on(dt, state);
       }
 
-      void save(Archive &archive) const override { starter_.save(archive); }
-      void load(const Archive &archive) override { starter_.load(archive); }
+      void remember(Memory &memory) override { starter_.remember(memory); }
 
     private:
       StepReport go_on(const double dt, State &state)
       {
-        if (d_.size() == 0)
-          {
-            d_   = state.u;
-            end_ = offset_ = State{0, state.u, state.u, state.u};
-          }
         combine(end_.u, {{1, &state.u}, {dt, &state.v}, {dt * dt / 3, &state.a}});
         combine(end_.v, {{1, &state.v}, {dt / 2, &state.a}});
         end_.a = 0;
-        d_     = 0;
-        if (!linear_)
-          combine(d_, {{-dt, &state.v}, {-dt * dt / 3, &state.a}});
 
         const double q = theta_, q2 = q * q, q3 = q2 * q;
         combine(offset_.u, {{1 - q3, &state.u}, {(q - q3) * dt, &state.v}, {(q2 - q3) * dt * dt / 2, &state.a}});
@@ -80,16 +72,13 @@ namespace myolines
         stage.t       = state.t + dt;
         stage.c       = {1, 3 / dt, 6 / (dt * dt)};
         stage.average = &average;
-        stage.first_v = &state.v;
-        return solver_.step(stage, end_, d_, state);
+        return solver_.step(stage, end_, state);
       }
 
       const double              theta_;
       const SemiDiscreteSystem &system_;
-      const bool                linear_;
       StageSolver               solver_;
       Starter                   starter_;
-      Vector                    d_;
       State                     end_, offset_;
     };
   } // namespace
@@ -107,8 +96,6 @@ namespace myolines
           "and boundaries of a muscle do"};
     };
     entry.make = [](const scene::Node &node, const IntegratorContext &context) {
-      require_accelerations(facts(), node, context);
-      refuse_scheme_rates(node, context); // linear acceleration at a boundary, see Newmark
       return std::make_unique<WilsonTheta>(node.number("theta"), first_step(node), context);
     };
     return entry;

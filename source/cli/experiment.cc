@@ -96,7 +96,7 @@ namespace myolines
         if (control.has("largest gain"))
           control.refuse("largest gain", "\"" + method_.facts.name + "\" chooses its steps itself",
                          "no \"largest gain\", or another method");
-        self_paced_ = method_.make_self_paced(integrator, context, error_control_limits(time));
+        self_paced_ = make_self_paced(method_, integrator, context, error_control_limits(time));
         return;
       }
     control_    = make_step_control(time, error_exponent(method()));

@@ -33,6 +33,8 @@ namespace myolines
         {
         case MethodFacts::Unknowns::second_order:
           return "  for unknowns of second order, in systems with inertia (`myolines list methods`)\n";
+        case MethodFacts::Unknowns::first_or_second_order:
+          return "  for unknowns of second order, in systems with inertia, or all of first order\n";
         case MethodFacts::Unknowns::every_order_if_damped:
           return "  for unknowns of second order, in systems with inertia; with a spectral radius at infinity below 1 of every order\n";
         default:
@@ -52,7 +54,8 @@ namespace myolines
       else if (facts.error_exponent > 0)
         text += std::string("  error of a step: estimated, of ") + (facts.estimates_velocity ? "u and v" : "u") + "\n";
       else if (facts.order > 0)
-        text += "  error of a step: by step doubling\n";
+        text += std::string("  error of a step: ") +
+                (facts.doubles ? "by step doubling" : "not estimated, steps cannot be chosen by error") + "\n";
       text += facts.dynamic ? "" : "  ignores inertia and rates\n";
       text += unknowns_text(facts.unknowns);
       if (facts.solves == MethodFacts::Solves::linear_systems)

@@ -9,21 +9,20 @@ namespace myolines
 #include "../../integrators/list.def"
 #undef MYOLINES_INTEGRATOR
 
-  const std::vector<IntegratorEntry> &integrator_registry()
+  Registry<IntegratorEntry> &integrator_registry()
   {
-    static const std::vector<IntegratorEntry> entries = {
+    static Registry<IntegratorEntry> registry("integrator", {
 #define MYOLINES_INTEGRATOR(name) name##_entry(),
 #include "../../integrators/list.def"
 #undef MYOLINES_INTEGRATOR
-    };
-    return entries;
+                                                            });
+    return registry;
   }
 
   const IntegratorEntry &integrator_entry(const std::string &name)
   {
-    for (const IntegratorEntry &entry : integrator_registry())
-      if (entry.facts.name == name)
-        return entry;
+    if (const IntegratorEntry *entry = integrator_registry().find(name))
+      return *entry;
     throw std::out_of_range("no integrator is called \"" + name + "\"");
   }
 } // namespace myolines

@@ -126,11 +126,4 @@ namespace myolines
     set_error_weights(tolerances(), *form_, entries(y()), entries(weights_.get()));
     return N_VWrmsNorm(error, weights_.get());
   }
-
-  void refuse_given_rates(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
-  {
-    if (context.boundary_rates == BoundaryRates::scheme && context.system.constraints().n_constraints() > 0)
-      integrator.refuse("type", "\"" + facts.name + "\" has no formulas of its own for the rates of a moving boundary",
-                        "\"time/boundary rates\" = \"exact\"");
-  }
 } // namespace myolines

@@ -20,15 +20,18 @@ namespace myolines
         : c_(c)
         , keeps_force_(c.alpha_f != 0 && force == ForceEvaluation::weighted_end_forces)
         , averages_state_(c.alpha_f != 0 && force == ForceEvaluation::averaged_state)
-        , linear_(context.system.capabilities().linear)
         , context_(context)
         , solver_(context)
         , starter_(first, solver_, context)
+        , history_(context.make_vector())
+        , zero_(history_)
+        , force_(history_)
+        , end_(context.make_state())
+        , offset_(end_)
       {}
 
       void start(State &state) override
       {
-        allocate(state);
         starter_.start(state);
         if (!keeps_force_ || starter_.takes_next_step())
           return;
@@ -39,27 +42,17 @@ namespace myolines
 
       StepReport step(const double dt, State &state) override
       {
-        allocate(state);
         StepReport report = starter_.takes_next_step() ? starter_.step(dt, state) : go_on(dt, state);
         if (report.accepted() && keeps_force_)
           keep_force(state, report);
         return report;
       }
 
-      void save(Archive &archive) const override
+      void remember(Memory &memory) override
       {
-        starter_.save(archive);
+        starter_.remember(memory);
         if (keeps_force_)
-          archive.put("force at the last step", force_);
-      }
-
-      void load(const Archive &archive) override
-      {
-        starter_.load(archive);
-        if (!keeps_force_)
-          return;
-        force_ = context_.system.initial_state(0).u;
-        archive.read("force at the last step", force_);
+          memory.keep("force at the last step", force_);
       }
 
     private:
@@ -69,8 +62,6 @@ namespace myolines
         stage.t     = state.t + dt;
         stage.c     = predict(dt, state);
         stage.scale = keeps_force_ ? 1 - c_.alpha_f : 1;
-        if (c_.beta != 0)
-          stage.first_v = &state.v;
 
         Stage::Average average{stage.t, &offset_, {1, 1, 1}};
         if (c_.alpha_m != 0 || c_.alpha_f != 0)
@@ -84,7 +75,7 @@ namespace myolines
             stage.history = &history_;
           }
         StepReport report;
-        record(solver_.solve(stage, end_, d_), report);
+        record(solver_.solve(stage, end_, state), report);
         if (context_.error_norm != nullptr && report.accepted())
           estimate(dt, state, report);
         if (report.accepted())
@@ -92,33 +83,15 @@ namespace myolines
         return report;
       }
 
-      void allocate(const State &state)
-      {
-        if (d_.size() != 0)
-          return;
-        d_ = state.u;
-        if (force_.size() == 0)
-          force_ = state.u;
-        history_ = state.u;
-        offset_  = State{0, state.u, state.u, state.u};
-        end_     = offset_;
-        zero_    = state.u;
-        zero_    = 0;
-        zero_.update_ghost_values();
-      }
-
-      /// Fills end_ with the predictors and d_ with the first guess; returns the weights of d = u_1 - u~, or a_1 for beta = 0.
+      /// Fills end_ with the predictors; returns the weights of d = u_1 - u~, or a_1 for beta = 0.
       Weights predict(const double dt, const State &state)
       {
         const double beta = c_.beta, gamma = c_.gamma;
         combine(end_.u, {{1, &state.u}, {dt, &state.v}, {dt * dt * (0.5 - beta), &state.a}});
         combine(end_.v, {{1, &state.v}, {dt * (1 - gamma), &state.a}});
         end_.a = 0;
-        d_     = 0;
         if (beta == 0)
           return {0, gamma * dt, 1};
-        if (!linear_)
-          combine(d_, {{-dt, &state.v}, {-dt * dt * (0.5 - beta), &state.a}});
         return {1, gamma / (beta * dt), 1 / (beta * dt * dt)};
       }
 
@@ -161,11 +134,10 @@ namespace myolines
       const AlphaCoefficients c_;
       const bool              keeps_force_;
       const bool              averages_state_;
-      const bool              linear_;
       const IntegratorContext context_;
       StageSolver             solver_;
       Starter                 starter_;
-      Vector                  d_, history_, zero_;
+      Vector                  history_, zero_;
       Vector                  force_; ///< F at the last step
       State                   end_, offset_;
     };

@@ -23,8 +23,6 @@ namespace myolines
 
       void       start(State &state) override { start_piece(context_, solver_, state); }
       StepReport step(const double dt, State &state) override { return stepper_.step(dt, state); }
-      void       save(Archive &) const override {}
-      void       load(const Archive &) override {}
 
     private:
       const IntegratorContext context_;
@@ -46,8 +44,7 @@ namespace myolines
       {
         return starter_.takes_next_step() ? starter_.step(dt, state) : stepper_.step(dt, state);
       }
-      void save(Archive &archive) const override { starter_.save(archive); }
-      void load(const Archive &archive) override { starter_.load(archive); }
+      void remember(Memory &memory) override { starter_.remember(memory); }
 
     private:
       StageSolver solver_;
@@ -60,39 +57,34 @@ namespace myolines
 
   double DirkTable::c(const std::size_t stage) const { return std::accumulate(a[stage].begin(), a[stage].end(), 0.); }
 
-  void DirkStepper::allocate(const State &state)
+  DirkStepper::DirkStepper(DirkTable table, StageSolver &solver, const IntegratorContext &context)
+    : table_(std::move(table))
+    , solver_(solver)
+    , error_norm_(context.error_norm)
+    , stages_(table_.a.size(), context.make_state())
   {
-    if (!stages_.empty())
-      return;
-    stages_.assign(table_.a.size(), State{0, state.u, state.u, state.u});
-    d_         = state.u;
-    increment_ = state.u;
+    if (error_norm_ != nullptr)
+      error_ = context.make_state();
   }
 
   /// With g = a_ii dt and the sums over the stages before, u^ and v^: u = u^ + g v, v = v^ + g a, so u = u~ + g^2 a for
-  /// u~ = u^ + g v^, and v~ = v^, a~ = 0. The first guess is that of StageSolver::step(): the displacement of the last stage.
+  /// u~ = u^ + g v^, and v~ = v^, a~ = 0.
   void DirkStepper::predict(const std::size_t i, const double dt, const State &state, State &point)
   {
     const double g = diagonal(i, dt);
     combine(point.v, {{1, &state.v}});
     for (std::size_t j = 0; j < i; ++j)
       add(point.v, dt * table_.a[i][j], stages_[j].a);
-    combine(d_, {{g, &point.v}}); // u~ - u_0
+    combine(point.u, {{g, &point.v}});
     for (std::size_t j = 0; j < i; ++j)
-      add(d_, dt * table_.a[i][j], stages_[j].v);
-    combine(point.u, {{1, &state.u}, {1, &d_}});
+      add(point.u, dt * table_.a[i][j], stages_[j].v);
+    add(point.u, 1, state.u);
     point.a = 0;
-    if (linear_)
-      d_ = 0;
-    else
-      combine(d_, {{1, &increment_}, {-1, &d_}});
   }
 
   StepReport DirkStepper::step(const double dt, State &state)
   {
-    allocate(state);
-    StepReport report;
-    increment_                 = 0;
+    StepReport        report;
     const std::size_t n_stages = table_.a.size(), first = table_.explicit_first_stage() ? 1 : 0;
     if (first == 1)
       {
@@ -105,14 +97,12 @@ namespace myolines
         const double g    = diagonal(i, dt);
         const bool   last = i + 1 == n_stages;
         Stage        stage;
-        stage.t       = last ? state.t + dt : state.t + table_.c(i) * dt;
-        stage.c       = {1, 1 / g, 1 / (g * g)};
-        stage.first_v = i == 0 ? &state.v : &stages_[i - 1].v;
+        stage.t = last ? state.t + dt : state.t + table_.c(i) * dt;
+        stage.c = {1, 1 / g, 1 / (g * g)};
         predict(i, dt, state, stages_[i]);
-        record(solver_.solve(stage, stages_[i], d_), report);
+        record(solver_.solve(stage, stages_[i], i == 0 ? state : stages_[i - 1]), report);
         if (!report.accepted())
           return report;
-        combine(increment_, {{1, &stages_[i].u}, {-1, &state.u}});
       }
     if (error_norm_ != nullptr && !table_.error.empty())
       estimate(dt, state, report);
@@ -123,8 +113,6 @@ namespace myolines
 
   void DirkStepper::estimate(const double dt, const State &state, StepReport &report)
   {
-    if (error_.u.size() == 0)
-      error_ = state;
     error_.u = 0;
     error_.v = 0;
     for (std::size_t i = 0; i < stages_.size(); ++i)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/time/error_control.h>
 #include <myolines/time/error_norm.h>
+#include <myolines/time/start.h>
 #include <myolines/time/step_doubling.h>
 
 #include <deal.II/base/mpi.h>
@@ -78,6 +80,7 @@ namespace myolines
     if (!entry.make)
       integrator.refuse("type", "\"" + entry.facts.name + "\" chooses its steps itself", "\"time/control/type\" = \"error\"",
                         "its tolerances are in \"time/control\"");
+    require_fit(facts_with(entry, integrator), integrator, context);
     if (context.error_norm == nullptr)
       return entry.make(integrator, context);
     const MethodFacts facts      = facts_with(entry, integrator);
@@ -87,10 +90,21 @@ namespace myolines
                         (equilibria ? "steps end in equilibrium, however long they are: " : "") + ("\"" + facts.name + "\"") +
                             " makes no error in time that could be controlled",
                         "another \"time/control/type\"", "\"cut back\" shortens steps that fail");
+    if (facts.error_exponent == 0 && !facts.doubles)
+      integrator.refuse("type", "\"" + facts.name + "\" does not estimate its error, nor can its steps be taken in halves to do so",
+                        "another \"time/control/type\", or a method that does",
+                        "`myolines list integrators` tells what each method estimates");
     if (context.error_norm->looks_at_velocity() && !facts.estimates_velocity)
       integrator.refuse("type", "\"" + facts.name + "\" estimates the error of displacements only",
                         "no list \"time/control/velocity\", or a method that estimates both",
                         "--unset time/control/velocity; `myolines list integrators` tells what each method estimates");
     return facts.error_exponent == 0 ? make_step_doubling(entry, integrator, context) : entry.make(integrator, context);
+  }
+
+  std::unique_ptr<SelfPacedIntegrator> make_self_paced(const IntegratorEntry &entry, const scene::Node &integrator,
+                                                       const IntegratorContext &context, const ErrorControlLimits &limits)
+  {
+    require_fit(facts_with(entry, integrator), integrator, context);
+    return entry.make_self_paced(integrator, context, limits);
   }
 } // namespace myolines

@@ -59,13 +59,7 @@ namespace myolines
       context_.system.prescribed(state.t, Side::left, state);
   }
 
-  void Starter::save(Archive &archive) const { archive.put("first steps of a piece that are due", due_); }
-
-  void Starter::load(const Archive &archive)
-  {
-    const std::string name = "first steps of a piece that are due";
-    due_                   = stepper_ && archive.has_numbers(name) ? static_cast<unsigned int>(archive.number(name)) : 0;
-  }
+  void Starter::remember(Memory &memory) { memory.keep("first steps of a piece that are due", due_); }
 
   void declare_first_step(scene::Schema &schema)
   {

@@ -14,7 +14,6 @@ namespace myolines
       , r_(r)
       , roughly_(roughly)
     {
-      work_.allocate(d);
       for (const unsigned int row : work_.constrained_rows)
         constrained_.push_back(d.local_element(row));
     }
@@ -23,7 +22,7 @@ namespace myolines
 
     void impose(Vector &d) const override
     {
-      work_.free->distribute(d);
+      work_.free.distribute(d);
       for (std::size_t i = 0; i < constrained_.size(); ++i)
         d.local_element(work_.constrained_rows[i]) += constrained_[i];
       d.update_ghost_values();
@@ -55,6 +54,8 @@ namespace myolines
   StageSolver::StageSolver(const IntegratorContext &context)
     : work_(std::make_unique<StageWork>(context))
     , solver_(context.solver)
+    , linear_(work_->capabilities.linear)
+    , d_(context.make_vector())
   {}
 
   StageSolver::~StageSolver() = default;
@@ -83,10 +84,21 @@ namespace myolines
     return report;
   }
 
-  StepReport StageSolver::step(const Stage &stage, State &predictors, Vector &d, State &state)
+  NonlinearReport StageSolver::solve(const Stage &stage, State &point, const State &last)
+  {
+    Stage from_last = stage;
+    d_              = 0;
+    if (stage.c.u != 0)
+      from_last.first_v = &last.v;
+    if (stage.c.u != 0 && !linear_)
+      combine(d_, {{1 / stage.c.u, &last.u}, {-1 / stage.c.u, &point.u}});
+    return solve(from_last, point, d_);
+  }
+
+  StepReport StageSolver::step(const Stage &stage, State &predictors, State &state)
   {
     StepReport report;
-    record(solve(stage, predictors, d), report);
+    record(solve(stage, predictors, state), report);
     if (report.accepted())
       swap(state, predictors);
     return report;
@@ -110,7 +122,7 @@ namespace myolines
       }
     const Weights w = work_->weights;
     for (Vector *x : {&error.u, &error.v})
-      work_->free->distribute(*x);
+      work_->free.distribute(*x);
     Vector &r = work_->end.u, &more = work_->end.v;
     r.zero_out_ghost_values();
     more.zero_out_ghost_values();

@@ -27,7 +27,6 @@ namespace myolines
   {
     if (c_by_ == 0)
       throw std::logic_error("a stage needs c_u or c_a");
-    work_.allocate(d);
     const Weights at = stage.average != nullptr ? stage.average->weight : Weights{1, 1, 1};
     weights_         = stage_weights(stage.scale * at.u * stage.c.u, stage.scale * at.v * stage.c.v, stage.scale * at.a * stage.c.a);
     work_.weights    = weights_[2];
@@ -55,7 +54,7 @@ namespace myolines
   {
     if (!stage_.prescribed)
       {
-        work_.free->distribute(d);
+        work_.free.distribute(d);
         return;
       }
     State &end = work_.end;

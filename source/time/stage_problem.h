@@ -25,18 +25,13 @@ namespace myolines
       , ledger(context.ledger)
       , capabilities(system.capabilities())
       , linearisation(system.make_linearisation())
-    {}
-
-    /// Vectors come with the first solve: a system gives its layout only through states.
-    void allocate(const Vector &layout)
+      , gap(context.make_vector())
+      , from(gap)
+      , end(context.make_state())
+      , average(end)
+      , free(system.constraints(), gap)
     {
-      if (free)
-        return;
-      free.emplace(system.constraints(), layout);
-      gap  = layout;
-      from = layout;
-      for (State *state : {&end, &average})
-        *state = State{0, layout, layout, layout};
+      const Vector &layout = gap;
       for (const auto &line : system.constraints().get_lines())
         if (layout.in_local_range(line.index))
           constrained_rows.push_back(layout.get_partitioner()->global_to_local(line.index));
@@ -58,13 +53,13 @@ namespace myolines
     const Capabilities             capabilities;
     std::unique_ptr<Linearisation> linearisation;
     bool                           linearised = false;
-    std::optional<FreeUnknowns>    free;
-    std::vector<unsigned int>      constrained_rows; ///< local numbers
-    Vector                         gap;              ///< from the velocities of the first guess to those given for it
-    Vector                         from;             ///< displacements where a Newton step begins
-    State                          end;              ///< of the stage
-    State                          average;          ///< where the residual is evaluated, if not there
+    Vector                         gap;     ///< from the velocities of the first guess to those given for it
+    Vector                         from;    ///< displacements where a Newton step begins
+    State                          end;     ///< of the stage
+    State                          average; ///< where the residual is evaluated, if not there
+    const FreeUnknowns             free;
     Weights                        weights;          ///< of the last stage
+    std::vector<unsigned int>      constrained_rows; ///< local numbers
   };
 
   /// One stage as a nonlinear problem for d.

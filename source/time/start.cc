@@ -58,6 +58,20 @@ namespace myolines
     }
   } // namespace
 
+  Vector IntegratorContext::make_vector() const
+  {
+    Vector zeros = system.initial_state(0).u;
+    zeros        = 0;
+    zeros.update_ghost_values();
+    return zeros;
+  }
+
+  State IntegratorContext::make_state() const
+  {
+    const Vector zeros = make_vector();
+    return {0, zeros, zeros, zeros};
+  }
+
   State starting_state(const SemiDiscreteSystem &system, const double t0, const BoundaryRates rates, const StartVelocity start_velocity)
   {
     State state = system.initial_state(t0);
@@ -178,11 +192,17 @@ namespace myolines
     return capabilities.orders == std::vector<unsigned int>{2} ? "" : "not all unknowns of the system are of second order in time";
   }
 
-  void require_accelerations(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
+  void require_fit(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context)
   {
-    if (const std::string why = why_no_accelerations(context.system); !why.empty())
+    using Unknowns         = MethodFacts::Unknowns;
+    const bool first_order = context.system.capabilities().orders == std::vector<unsigned int>{1};
+    const bool needs = facts.unknowns == Unknowns::second_order || (facts.unknowns == Unknowns::first_or_second_order && !first_order);
+    if (const std::string why = why_no_accelerations(context.system); needs && !why.empty())
       integrator.refuse("type", "\"" + facts.name + "\" needs the acceleration of every unknown, but " + why,
                         "a method that does without, or another system", methods_hint);
+    if (!facts.scheme_rates && context.boundary_rates == BoundaryRates::scheme && context.system.constraints().n_constraints() > 0)
+      integrator.refuse("type", "\"" + facts.name + "\" has no formulas of its own for the rates of a moving boundary",
+                        "\"time/boundary rates\" = \"exact\"");
   }
 
   void refuse_scheme_rates(const scene::Node &integrator, const IntegratorContext &context)

@@ -10,6 +10,7 @@ namespace myolines::testing
       Case         c = alpha_case("generalized_alpha_" + label, parameters, m, f, x * x / 4, 0.5 - m + f);
       if (label != "half_averaged_state" && radius > 0)
         c.history = {{"force at the last step", 2}};
+      c.long_steps = radius < 1;
       return c;
     };
     const std::string radius = "spectral radius at infinity=", averaged = "force evaluation=averaged state";

@@ -6,7 +6,7 @@ namespace myolines::testing
   std::vector<Case> hht_alpha_cases()
   {
     const auto hht = [](const std::string &label, const double alpha, const std::string &force) {
-      Case c = alpha_case("hht_alpha_" + label, {"alpha=" + std::to_string(alpha), "force evaluation=" + force}, 0, -alpha,
+      Case c = alpha_case("hht_alpha_" + label, {setting("alpha", alpha), "force evaluation=" + force}, 0, -alpha,
                           (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha);
       if (force == "weighted end forces")
         c.history = {{"force at the last step", 2}};

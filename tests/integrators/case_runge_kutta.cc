@@ -90,7 +90,7 @@ namespace myolines::testing
     // the trapezoidal rule to the middle, then BDF2
     const std::vector<std::vector<double>> composite{{0}, {0.25, 0.25}, {1. / 3, 1. / 3, 1. / 3}};
     Case                                   given = of("runge_kutta_of_the_scene", 2, composite, {"table=own", "A=0; 1/4 1/4; 1/3 1/3 1/3"});
-    given.one_matrix                             = false;
+    given.matrices                               = 2;
     return {c3, own3, own4, given};
   }
 } // namespace myolines::testing

@@ -6,7 +6,7 @@ namespace myolines::testing
   std::vector<Case> wbz_alpha_cases()
   {
     const auto wbz = [](const std::string &label, const double alpha) {
-      return alpha_case("wbz_alpha_" + label, {"alpha=" + std::to_string(alpha)}, alpha, 0, (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha);
+      return alpha_case("wbz_alpha_" + label, {setting("alpha", alpha)}, alpha, 0, (1 - alpha) * (1 - alpha) / 4, 0.5 - alpha);
     };
     Case own = wbz("own_first_step", -0.1);
     own.parameters.push_back("first step=own");

@@ -12,7 +12,7 @@ namespace myolines::testing
     {
       Case c;
       c.label        = "wilson_theta_" + label;
-      c.parameters   = {"theta=" + std::to_string(theta), "first step=" + first_step};
+      c.parameters   = {setting("theta", theta), "first step=" + first_step};
       c.order        = 2;
       c.scheme_rates = false;
       c.steps        = first_step == "own" ? 100 : 400; // the error of the first step, of third order, has the other sign

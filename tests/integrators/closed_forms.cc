@@ -2,21 +2,41 @@
 #include "cases.h"
 
 #include <cmath>
+#include <sstream>
+
+#ifndef MYOLINES_SUITE_LIST
+#  define MYOLINES_SUITE_LIST "../../integrators/list.def"
+#endif
+
+namespace myolines
+{
+#define MYOLINES_INTEGRATOR(name) IntegratorEntry name##_entry();
+#include MYOLINES_SUITE_LIST
+#undef MYOLINES_INTEGRATOR
+} // namespace myolines
 
 namespace myolines::testing
 {
 #define MYOLINES_INTEGRATOR(name) std::vector<Case> name##_cases();
-#include "../../integrators/list.def"
+#include MYOLINES_SUITE_LIST
 #undef MYOLINES_INTEGRATOR
 
   const std::vector<MethodCases> &method_cases()
   {
     static const std::vector<MethodCases> all = {
-#define MYOLINES_INTEGRATOR(name) MethodCases{#name, name##_cases()},
-#include "../../integrators/list.def"
+#define MYOLINES_INTEGRATOR(name) MethodCases{name##_entry(), name##_cases()},
+#include MYOLINES_SUITE_LIST
 #undef MYOLINES_INTEGRATOR
     };
     return all;
+  }
+
+  std::string setting(const std::string &name, const double value)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << name << "=" << value;
+    return text.str();
   }
 
   Polynomial from_roots(const std::vector<std::complex<double>> &roots)
@@ -36,34 +56,58 @@ namespace myolines::testing
 
   namespace
   {
-    double determinant(const Matrix3 &a)
+    /// By Gauss, the largest pivot of each column first.
+    double determinant(Rows a)
     {
-      return a[0][0] * (a[1][1] * a[2][2] - a[1][2] * a[2][1]) - a[0][1] * (a[1][0] * a[2][2] - a[1][2] * a[2][0]) +
-             a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]);
+      double product = 1;
+      for (std::size_t k = 0; k < a.size(); ++k)
+        {
+          std::size_t pivot = k;
+          for (std::size_t i = k + 1; i < a.size(); ++i)
+            if (std::abs(a[i][k]) > std::abs(a[pivot][k]))
+              pivot = i;
+          if (a[pivot][k] == 0)
+            return 0;
+          if (pivot != k)
+            {
+              a[pivot].swap(a[k]);
+              product = -product;
+            }
+          product *= a[k][k];
+          for (std::size_t i = k + 1; i < a.size(); ++i)
+            for (std::size_t j = a.size(); j-- > k;)
+              a[i][j] -= a[i][k] / a[k][k] * a[k][j];
+        }
+      return product;
     }
 
     /// Columns of @p l replaced by those of @p r where the mask has a bit.
-    Matrix3 mixed(const Matrix3 &l, const Matrix3 &r, const unsigned int mask)
+    Rows mixed(const Rows &l, const Rows &r, const unsigned int mask)
     {
-      Matrix3 m = l;
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
+      Rows m = l;
+      for (std::size_t i = 0; i < l.size(); ++i)
+        for (std::size_t j = 0; j < l.size(); ++j)
           if ((mask >> j & 1) != 0)
             m[i][j] = r[i][j];
       return m;
     }
   } // namespace
 
-  Polynomial from_pencil(const Matrix3 &l, const Matrix3 &r)
+  Polynomial from_pencil(const Rows &l, const Rows &r)
   {
     // the determinant is linear in every column
-    std::vector<double> sums(4);
-    for (unsigned int mask = 0; mask < 8; ++mask)
+    std::vector<double> sums(l.size() + 1);
+    for (unsigned int mask = 0; mask < 1u << l.size(); ++mask)
       {
-        const unsigned int n = (mask & 1) + (mask >> 1 & 1) + (mask >> 2 & 1);
+        std::size_t n = 0;
+        for (std::size_t j = 0; j < l.size(); ++j)
+          n += mask >> j & 1;
         sums[n] += (n % 2 == 0 ? 1 : -1) * determinant(mixed(l, r, mask));
       }
-    return {sums[1] / sums[0], sums[2] / sums[0], sums[3] / sums[0]};
+    Polynomial polynomial;
+    for (std::size_t i = 1; i < sums.size(); ++i)
+      polynomial.push_back(sums[i] / sums[0]);
+    return polynomial;
   }
 
   Case runge_kutta_case(const std::string &label, const unsigned int order,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The promises of the class Integrator that hold for every registered method of ours, dynamic or not.
+// The promises of the class Integrator that hold for every method of the list whose steps are given, dynamic or not.
 
 #include "experiment.h"
 

@@ -6,6 +6,7 @@
 #include "cases.h"
 
 #include <myolines/oscillator/oscillator_system.h>
+#include <myolines/time/error_norm.h>
 #include <myolines/time/loop.h>
 
 #include <algorithm>
@@ -29,7 +30,7 @@ namespace myolines::testing
                const Overrides &method = {}, const Overrides &nonlinear = tight())
       : solvers(nonlinear)
       , system(std::move(parameters), solvers.ledger)
-      , integrator(entry.make(node(entry.schema, method), IntegratorContext{system, solvers.nonlinear, rates, solvers.ledger}))
+      , integrator(make_integrator(entry, node(entry.schema, method), IntegratorContext{system, solvers.nonlinear, rates, solvers.ledger}))
       , state(system.initial_state(0))
     {}
 
@@ -84,12 +85,13 @@ namespace myolines::testing
     return settings;
   }
 
-  /// Methods whose steps are ours to choose; sundials.cc has the others.
+  /// Methods of the list whose steps are ours to choose.
   inline std::vector<IntegratorEntry> native_methods()
   {
-    std::vector<IntegratorEntry> methods = integrator_registry();
-    methods.erase(std::remove_if(methods.begin(), methods.end(), [](const IntegratorEntry &entry) { return bool(entry.make_self_paced); }),
-                  methods.end());
+    std::vector<IntegratorEntry> methods;
+    for (const MethodCases &method : method_cases())
+      if (!method.entry.make_self_paced)
+        methods.push_back(method.entry);
     return methods;
   }
 
@@ -103,9 +105,9 @@ namespace myolines::testing
   inline std::vector<Verified> all_cases()
   {
     std::vector<Verified> all;
-    for (std::size_t i = 0; i < method_cases().size(); ++i)
-      for (const Case &c : method_cases()[i].cases)
-        all.push_back({integrator_registry()[i], c});
+    for (const MethodCases &method : method_cases())
+      for (const Case &c : method.cases)
+        all.push_back({method.entry, c});
     return all;
   }
 

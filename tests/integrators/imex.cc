@@ -64,7 +64,7 @@ namespace
   std::unique_ptr<Integrator> make(const SemiDiscreteSystem &system, Solvers &solvers, const Overrides &parameters)
   {
     const IntegratorEntry &entry = integrator_entry("imex euler");
-    return entry.make(node(entry.schema, parameters), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
+    return make_integrator(entry, node(entry.schema, parameters), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
   }
 
   std::string refusal(const SemiDiscreteSystem &system, Solvers &solvers, const Overrides &parameters)

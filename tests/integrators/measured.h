@@ -34,8 +34,9 @@ namespace myolines::testing
         Experiment experiment(method.entry, parameters, BoundaryRates::exact, method.facts.parameters);
         State     &state = experiment.state;
         experiment.integrator->start(state);
-        if (!names.empty()) // a first step makes the history, and remembers its own size
-          take_step(*experiment.integrator, state);
+        if (!names.empty()) // first steps make the history, and remember their own sizes
+          for (unsigned int step = 0; step < method.facts.starting_steps; ++step)
+            take_step(*experiment.integrator, state);
         Vector zero(state.u);
         zero    = 0;
         state.u = state.v = state.a = zero;

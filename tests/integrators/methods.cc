@@ -21,8 +21,8 @@ namespace
     const IntegratorEntry  &entry = integrator_entry(method);
     const IntegratorContext context{system, solvers.nonlinear, rates, solvers.ledger};
     if (entry.make)
-      return entry.make(node(entry.schema, parameters), context);
-    return entry.make_self_paced(node(entry.schema, parameters), context, {});
+      return make_integrator(entry, node(entry.schema, parameters), context);
+    return make_self_paced(entry, node(entry.schema, parameters), context, {});
   }
 
   std::string refusal(const std::string &method, const Overrides &parameters, OscillatorParameters oscillator = {},

@@ -140,7 +140,7 @@ namespace
   {
     std::vector<IntegratorEntry> methods;
     for (const IntegratorEntry &entry : integrator_registry())
-      if (entry.facts.dynamic && entry.facts.unknowns != MethodFacts::Unknowns::second_order && entry.facts.name != "newmark")
+      if (entry.make && entry.facts.dynamic && entry.facts.unknowns != MethodFacts::Unknowns::second_order && entry.facts.name != "newmark")
         methods.push_back(entry);
     return methods;
   }

@@ -327,7 +327,7 @@ TEST(SundialsMethods, refuseBoundariesThatMoveByFormulas)
       Solvers                solvers;
       const OscillatorSystem system(moving, solvers.ledger);
       const IntegratorEntry &entry = integrator_entry(name);
-      EXPECT_THROW(entry.make_self_paced(node(entry.schema), {system, solvers.nonlinear, BoundaryRates::scheme, solvers.ledger}, {}),
+      EXPECT_THROW(make_self_paced(entry, node(entry.schema), {system, solvers.nonlinear, BoundaryRates::scheme, solvers.ledger}, {}),
                    InputError);
     }
 }

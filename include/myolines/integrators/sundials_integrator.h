@@ -82,7 +82,4 @@ namespace myolines
     bool                             begun_ = false, started_ = false;
     std::string                      message_;
   };
-
-  /// Refuses (InputError at the parameter type of @p integrator) boundaries that move by the formulas of a method.
-  void refuse_given_rates(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
 } // namespace myolines

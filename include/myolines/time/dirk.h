@@ -29,12 +29,7 @@ namespace myolines
   class DirkStepper
   {
   public:
-    DirkStepper(DirkTable table, StageSolver &solver, const IntegratorContext &context)
-      : table_(std::move(table))
-      , solver_(solver)
-      , linear_(context.system.capabilities().linear)
-      , error_norm_(context.error_norm)
-    {}
+    DirkStepper(DirkTable table, StageSolver &solver, const IntegratorContext &context);
 
     /// As Integrator::step.
     StepReport step(double dt, State &state);
@@ -43,18 +38,14 @@ namespace myolines
     const State &stage(std::size_t i) const { return stages_[i]; }
 
   private:
-    void   allocate(const State &state);
     void   predict(std::size_t stage, double dt, const State &state, State &point);
     void   estimate(double dt, const State &state, StepReport &report);
     double diagonal(std::size_t stage, double dt) const { return table_.a[stage][stage] * dt; }
 
     DirkTable          table_;
     StageSolver       &solver_;
-    const bool         linear_;
     const ErrorNorm   *error_norm_; ///< or none
     std::vector<State> stages_;
-    Vector             d_;
-    Vector             increment_; ///< u of the last stage - u_0
     State              error_;
   };
 

@@ -58,7 +58,12 @@ namespace myolines
   unsigned int error_exponent(const MethodFacts &facts);
 
   /// The method as a scene asks for it. With an error norm in @p context a method without an estimate of its own gets one by
-  /// step doubling. @throws InputError (at the parameters of @p integrator or from the method) if they do not fit.
+  /// step doubling. @throws InputError (at the parameters of @p integrator or from the method) if they do not fit, or if the system does
+  /// not fit the facts of the method (require_fit()).
   std::unique_ptr<Integrator> make_integrator(const IntegratorEntry &entry, const scene::Node &integrator,
                                               const IntegratorContext &context);
+
+  /// The same for a method that chooses its steps itself, which has a function for it.
+  std::unique_ptr<SelfPacedIntegrator> make_self_paced(const IntegratorEntry &entry, const scene::Node &integrator,
+                                                       const IntegratorContext &context, const ErrorControlLimits &limits);
 } // namespace myolines

@@ -19,7 +19,7 @@ namespace myolines
     own       ///< the formulas of the method, from M a = -F
   };
 
-  /// Begins smooth pieces for such a method. What it remembers goes through save and load.
+  /// Begins smooth pieces for such a method.
   class Starter
   {
   public:
@@ -38,8 +38,7 @@ namespace myolines
     /// An L-stable step, as Integrator::step.
     StepReport step(double dt, State &state);
 
-    void save(Archive &archive) const;
-    void load(const Archive &archive);
+    void remember(Memory &memory); ///< as TimeMethod::remember
 
   private:
     /// Velocities that jump at the beginning of the step make accelerations of its stages that mean nothing. With q the slope of v between

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/base/registry.h>
 #include <myolines/scene/scene.h>
 #include <myolines/solve/nonlinear_solver.h>
-#include <myolines/system/archive.h>
 #include <myolines/system/semi_discrete_system.h>
+#include <myolines/time/memory.h>
 
 #include <functional>
 #include <memory>
@@ -27,6 +28,9 @@ namespace myolines
     /// What the method estimates of the error of a step is of order dt^k; 0: it has no estimate of its own.
     unsigned int error_exponent = 0;
 
+    /// Without an estimate of its own: steps may be taken whole and in halves to make one. Not if formulas of equal steps lose their order.
+    bool doubles = true;
+
     /// The estimate is of u and v, else of u only.
     bool estimates_velocity = true;
 
@@ -35,6 +39,7 @@ namespace myolines
     {
       every_order,
       every_order_if_damped, ///< where its parameters damp accelerations, else of second order
+      first_or_second_order, ///< all of second order with inertia, or all of first order
       second_order
     } unknowns = Unknowns::every_order;
 
@@ -113,12 +118,16 @@ namespace myolines
     /// Given: steps are estimated and refused (Outcome::error_too_large) where the norm exceeds 1, and nonlinear solves are as
     /// accurate as that needs. None: nothing is estimated.
     const ErrorNorm *error_norm = nullptr;
+
+    Vector make_vector() const; ///< zeros in the layout of the vectors of states
+    State  make_state() const;  ///< zeros at time 0
   };
 
   /// What advances a state in time.
   /// - start(state): state.t, u, v hold the beginning of a smooth piece (the initial time or a kink). The method
   ///   prepares what it needs (accelerations, empty history). Call again after every event at which the loop restarts.
-  /// - save/load: everything beyond the state that the next step depends on.
+  /// - remember(memory): keeps everything beyond the state that the next step depends on, by names. A method without memory has nothing to
+  ///   say. Those that wrap another one, or keep what is neither number nor vector, override save and load instead.
   class TimeMethod
   {
   public:
@@ -126,8 +135,10 @@ namespace myolines
 
     virtual void start(State &state) = 0;
 
-    virtual void save(Archive &archive) const = 0;
-    virtual void load(const Archive &archive) = 0;
+    virtual void remember(Memory &) {}
+
+    virtual void save(Archive &archive) const;
+    virtual void load(const Archive &archive);
   };
 
   /// One-step contract.
@@ -152,8 +163,10 @@ namespace myolines
   /// What one file in integrators/ provides: facts, parameters, and how to make one, or both kinds.
   struct IntegratorEntry
   {
-    MethodFacts                                                                                facts;
-    scene::Schema                                                                              schema;
+    MethodFacts   facts;
+    scene::Schema schema;
+
+    /// Of a system that fits the facts: see make_integrator(), which looks at that, and is what others call.
     std::function<std::unique_ptr<Integrator>(const scene::Node &, const IntegratorContext &)> make;
 
     /// Where steps are chosen by error, for methods that do so themselves: the context has an error norm, and the limits are those of
@@ -168,11 +181,25 @@ namespace myolines
     std::function<std::vector<std::string>(const scene::Node &)> derived;
   };
 
+  inline void TimeMethod::save(Archive &archive) const
+  {
+    Memory memory = Memory::into(archive);
+    const_cast<TimeMethod *>(this)->remember(memory); // which changes nothing on this way
+  }
+
+  inline void TimeMethod::load(const Archive &archive)
+  {
+    Memory memory = Memory::out_of(archive);
+    remember(memory);
+  }
+
   /// Facts of the method with the parameters of @p integrator.
   MethodFacts facts_with(const IntegratorEntry &entry, const scene::Node &integrator);
 
-  /// All integrators of integrators/list.def, in its order.
-  const std::vector<IntegratorEntry> &integrator_registry();
+  inline const std::string &name_of(const IntegratorEntry &entry) { return entry.facts.name; }
+
+  /// All integrators of integrators/list.def, in its order, then those of plug-ins.
+  Registry<IntegratorEntry> &integrator_registry();
 
   /// The entry whose facts.name is @p name. @throws std::out_of_range.
   const IntegratorEntry &integrator_entry(const std::string &name);

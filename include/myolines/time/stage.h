@@ -54,15 +54,18 @@ namespace myolines
     /// On success @p point is the end of the stage and d the solution; on failure both are unspecified.
     NonlinearReport solve(const Stage &stage, State &point, Vector &d);
 
-    /// A step that is one stage, solved from the guess @p d: @p state becomes its end if it is accepted, else stays as it is.
-    /// @p predictors and @p d are unspecified afterwards, but d is the solution of an accepted step.
+    /// The same from the guess that serves methods, made of @p last, a state that the body has had: the last step, or stage before.
     ///
-    /// Methods write u = u~ + d with u~ extrapolated, so that accelerations are d over dt^2 without cancellation. They guess d = 0
+    /// Methods write u = u~ + d with u~ extrapolated, so that accelerations are d over dt^2 without cancellation. The guess is d = 0
     /// for linear systems: a correction of the size of dt^2 a has errors 1/(omega dt) times smaller than one of the size of dt v.
-    /// For others they guess a displacement that the body has had: extrapolated ones violate the volume constraint of nearly
-    /// incompressible bodies and make the tangent indefinite. With that displacement u~ + d, velocities v~ + c_v d may be far from any
-    /// the body has had; Stage::first_v gives better ones.
-    StepReport step(const Stage &stage, State &predictors, Vector &d, State &state);
+    /// For others it is the displacement of @p last: extrapolated ones violate the volume constraint of nearly incompressible bodies and
+    /// make the tangent indefinite. With that displacement u~ + d, velocities v~ + c_v d may be far from any the body has had:
+    /// Stage::first_v is that of @p last. A stage with c_u = 0 is guessed with d = 0.
+    NonlinearReport solve(const Stage &stage, State &point, const State &last);
+
+    /// A step that is one stage, solved from that guess: @p state becomes its end if it is accepted, else stays as it is. @p predictors
+    /// are unspecified afterwards.
+    StepReport step(const Stage &stage, State &predictors, State &state);
 
     /// J d + r = 0 with J = w.u K + w.v C + w.a M of the last linearise(); linearly implicit methods need no more. On entry
     /// @p d holds values for the constrained unknowns (what they depend on is added) and 0 for the free ones. @p roughly: one linear
@@ -85,6 +88,8 @@ namespace myolines
     class LinearProblem;
     std::unique_ptr<StageWork> work_;
     NonlinearSolver           &solver_;
+    const bool                 linear_;
+    Vector                     d_;
   };
 
   /// Copies the verdict and the counts of a nonlinear solve into a step report, adding to counts already there.

@@ -38,8 +38,9 @@ namespace myolines
   /// Why not: "the system has no inertia", for a sentence.
   std::string why_no_accelerations(const SemiDiscreteSystem &system);
 
-  /// Refuses (InputError at the parameter type of @p integrator) a system without them, for a method that needs them.
-  void require_accelerations(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
+  /// Refuses (InputError at the parameter type of @p integrator) a system that a method of these facts does not take: one without those
+  /// accelerations, and boundaries that move by the formulas of a method that has none.
+  void require_fit(const MethodFacts &facts, const scene::Node &integrator, const IntegratorContext &context);
 
   /// Refuses scheme rates on constrained unknowns. With the parameters of @p integrator the formulas of the method make a
   /// prescribed motion grow without bound: it acts like a spring of infinite stiffness on a method of limited stability.
