@@ -112,6 +112,8 @@ namespace myolines
     manifest["resumed"]      = record.resumed.empty() ? Json(nullptr) : Json(record.resumed);
     manifest["exit reason"]  = exit_reason;
     manifest["energy"]       = record.energy ? energy_json(*record.energy) : Json(nullptr);
+    manifest["plan"]         = record.plan;
+    manifest["warnings"]     = record.warnings;
     manifest["inputs"]       = Json(record.inputs); // with their CRC-32
     manifest["files"]        = folder.noted();
     const std::string text   = json_text(manifest);
