@@ -2,6 +2,7 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
+#include <myolines/cli/plan.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -24,18 +25,6 @@ namespace myolines
       if (derived)
         for (const std::string &line : derived(experiment.scene().section("integrator")))
           out << "  " << line << "\n";
-    }
-
-    /// Outputs that cost nothing because the scene does not ask for them.
-    void print_skipped_outputs(const scene::Node &output, const scene::Schema &schema, std::ostream &out)
-    {
-      for (const scene::Schema::Section &section : schema.sections())
-        if (!output.has(section.name))
-          out << "  off  output " << section.name << ": not asked for\n";
-        else
-          for (const scene::Entry &entry : section.schema->entries())
-            if (entry.kind == scene::Kind::boolean && !output.section(section.name).boolean(entry.name))
-              out << "  off  output " << section.name << ", " << entry.name << ": not asked for\n";
     }
 
     /// Where Newton's method starts, and what is tried where it fails.
@@ -91,11 +80,29 @@ namespace myolines
       if (!planned->complete)
         out << "  ... and more\n";
     }
+
+    void print_brief(Experiment &experiment, std::ostream &out)
+    {
+      out << "The scene is valid: " << experiment.scene().section("system").text("type") << ", " << experiment.method().name << "\n"
+          << "unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
+      const auto planned = experiment.planned_steps();
+      out << "steps: " << (!planned ? "chosen by error" : (planned->complete ? "" : "more than ") + std::to_string(planned->n_steps))
+          << ", from " << experiment.settings().start << " s to " << experiment.settings().end << " s\n"
+          << memory_lines(experiment.scene()).front() << "\n"
+          << predicted_cost(experiment) << "\n";
+      for (const std::string &warning : experiment.warnings())
+        out << "Warning: " << warning << "\n";
+    }
   } // namespace
 
-  void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out)
+  void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, const bool brief, std::ostream &out)
   {
-    const Experiment experiment(read_whole_scene(scene, overrides));
+    Experiment experiment(read_whole_scene(scene, overrides));
+    if (brief)
+      {
+        print_brief(experiment, out);
+        return;
+      }
 
     out << "The scene is valid. Resolved, with every value in force:\n\n" << scene::resolved_xml(experiment.scene()) << "\n";
     const std::string type = experiment.scene().section("system").text("type");
@@ -105,7 +112,8 @@ namespace myolines
     if (experiment.assembled().measure)
       for (const std::string &line : experiment.assembled().measure())
         out << "  " << line << "\n";
-    print_skipped_outputs(experiment.scene().section("output"), system_entry(type, "").output, out);
+    for (const std::string &line : skipped_outputs(experiment))
+      out << "  " << line << "\n";
     for (const std::string &line : experiment.solver_plan())
       out << "  " << line << "\n";
     for (const std::string &line : memory_lines(experiment.scene()))

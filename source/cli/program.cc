@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "flexodeal_options.h"
+#include "picture_options.h"
 
 #include <myolines/base/error.h>
 #include <myolines/base/lone_process.h>
 #include <myolines/base/names.h>
+#include <myolines/cli/changed_values.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/guarded.h>
 #include <myolines/cli/manual.h>
@@ -13,7 +15,6 @@
 #include <myolines/compare/compare.h>
 #include <myolines/output/text_file.h>
 #include <myolines/scene/numbers.h>
-#include <myolines/study/plot.h>
 
 #include <CLI/CLI.hpp>
 
@@ -57,6 +58,7 @@ namespace myolines
         add_verify();
         add_compare();
         add_plot();
+        add_picture();
         add_list();
         add_template();
         add_import();
@@ -117,9 +119,10 @@ namespace myolines
 
       void add_check()
       {
-        CLI::App *command =
-            add(app, "check", "Validates a scene and says what a run would do", [this] { check_command(run.scene, run.overrides, out_); });
+        CLI::App *command = add(app, "check", "Validates a scene and says what a run would do",
+                                [this] { check_command(run.scene, run.overrides, brief_, out_); });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        command->add_flag("--brief", brief_, "Unknowns, steps, memory, cost and warnings only; takes some steps to tell the cost");
         add_overrides(command);
       }
 
@@ -253,12 +256,21 @@ namespace myolines
 
       void add_plot()
       {
-        CLI::App *command =
-            add(app, "plot", "Draws a run, several runs or a study, as PNG and SVG", [this] { study::plot_command(plot_, out_); });
-        command->add_option("folders", plot_.folders, "Output folders")->required()->type_name("DIR");
-        command->add_option("--out", plot_.out, "Where to write; default: pictures/ in the folder, or here if there are several")
-            ->type_name("DIR");
-        command->add_option("--file", plot_.file, "Of runs: only this table, such as reaction.csv")->type_name("FILE.csv");
+        add_plot_options(
+            *add(app, "plot", "Draws a run, several runs or a study, as PNG and SVG", [this] { study::plot_command(plot_, out_); }), plot_);
+      }
+
+      void add_picture()
+      {
+        add_picture_options(*add(app, "picture", "Draws the body of a run, or of several side by side, as PNG and SVG",
+                                 [this] { picture::picture_command(picture_, out_); }),
+                            picture_);
+        add_report_options(*add(app, "report", "Tells all of a run or a study in one HTML file, with the body to turn",
+                                [this] {
+                                  report_.changed_values = changed_values;
+                                  report::report_command(report_, out_);
+                                }),
+                           report_);
       }
 
       void add_list()
@@ -285,17 +297,20 @@ namespace myolines
         add_flexodeal_options(*command, flexodeal_);
       }
 
-      std::ostream         &out_;
-      MpiSession           &mpi_;
-      std::string           topic_, name_;
-      FlexodealOptions      flexodeal_;
-      study::Options        study_;
-      study::VerifyOptions  verify_;
-      CompareOptions        compare_;
-      study::PlotOptions    plot_;
-      std::filesystem::path modes_, mesh_;
-      PointOptions          point_;
-      ModesAlongOptions     along_;
+      std::ostream           &out_;
+      MpiSession             &mpi_;
+      std::string             topic_, name_;
+      bool                    brief_ = false;
+      FlexodealOptions        flexodeal_;
+      study::Options          study_;
+      study::VerifyOptions    verify_;
+      CompareOptions          compare_;
+      study::PlotOptions      plot_;
+      picture::PictureOptions picture_;
+      report::ReportOptions   report_;
+      std::filesystem::path   modes_, mesh_;
+      PointOptions            point_;
+      ModesAlongOptions       along_;
     };
 
     ExitCode refuse_command_line(const CLI::App &app, const CLI::ParseError &error, const int argc, const char *const *argv,

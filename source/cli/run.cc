@@ -6,6 +6,7 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/core_share.h>
 #include <myolines/cli/experiment.h>
+#include <myolines/cli/plan.h>
 #include <myolines/cli/resume.h>
 #include <myolines/cli/stop_signals.h>
 #include <myolines/output/csv_file.h>
@@ -68,10 +69,12 @@ namespace myolines
       const auto is_written = [&folder](const std::string &name) { return folder.noted().count(name) > 0; };
       out << "Results are in " << shell_text({folder.path.string()}) << ":\n"
           << "  *.csv        time series, units in the header; pictures of them:\n"
-          << "               " << shell_text({program, "plot", folder.path.string()}) << "\n";
+          << "               " << shell_text({program, "plot", folder.path.string()}) << "\n"
+          << "               all in one page: " << shell_text({program, "report", folder.path.string()}) << "\n";
       for (const char *fields : {"fields.pvd", "fields.xdmf"})
         if (is_written(fields))
-          out << "  " << fields << std::string(13 - std::string(fields).size(), ' ') << "fields, for ParaView\n";
+          out << "  " << fields << std::string(13 - std::string(fields).size(), ' ')
+              << "fields, for ParaView and: " << shell_text({program, "picture", folder.path.string()}) << "\n";
       out << "  steps.csv, run.log, ledger.json   steps, iterations and work\n"
           << "  checkpoint   the last state: --resume goes on from it, --set time/end=... extends the run\n"
           << "  scene.resolved.xml, manifest.json   what was run, and with what\n";
@@ -171,6 +174,8 @@ namespace myolines
     record.scene                         = std::filesystem::absolute(options.scene).string();
     record.inputs                        = experiment.inputs();
     record.instruction_set               = name(experiment.instruction_set());
+    record.plan                          = plan_of(experiment);
+    record.warnings                      = experiment.warnings();
     if (writes_files())
       record.inputs[options.scene.string()] = checksum_of_file(options.scene);
 
@@ -224,7 +229,7 @@ namespace myolines
     book_running();
     if (!options.quiet)
       {
-        for (const std::string &warning : experiment.warnings())
+        for (const std::string &warning : record.warnings)
           out << "Warning: " << warning << "\n";
         if (const auto warning = warning_of_shared_cores())
           out << "Warning: " << *warning << "\n";

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "field_cells.h"
 #include "vtk_cells.h"
 #include "vtu_arrays.h"
+
+#include <myolines/scene/input_text.h>
 
 namespace myolines
 {
   namespace
   {
+    /// @p Grid takes what the pieces tell: VtkGrid or FieldCells.
+    template <typename Grid>
     class VtuReader
     {
     public:
-      explicit VtuReader(Cursor &cursor)
+      VtuReader(Cursor &cursor, Grid &grid)
         : cursor_(cursor)
-        , grid_(cursor, mesh_)
+        , grid_(grid)
       {}
 
-      PlainMesh read()
+      void read()
       {
         XmlTag tag;
         while (!ended_ && next_tag(cursor_, tag))
@@ -24,7 +29,6 @@ namespace myolines
         if (n_pieces_ == 0)
           cursor_.refuse("there is no piece of a grid", "<Piece> of an <UnstructuredGrid>");
         grid_.finish();
-        return std::move(mesh_);
       }
 
     private:
@@ -56,7 +60,6 @@ namespace myolines
         encoding_.compressed = !compressor.empty();
         encoding_.long_heads = head == "UInt64";
         encoding_.swapped    = tag.attribute("byte_order") == "BigEndian";
-        mesh_.format         = "VTK XML";
         find_appended();
       }
 
@@ -138,8 +141,7 @@ namespace myolines
       }
 
       Cursor                                        &cursor_;
-      PlainMesh                                      mesh_;
-      VtkGrid                                        grid_;
+      Grid                                          &grid_;
       VtuEncoding                                    encoding_;
       XmlTag                                         piece_;
       std::string                                    place_; ///< the list of arrays that the cursor is in
@@ -151,5 +153,22 @@ namespace myolines
     };
   } // namespace
 
-  PlainMesh read_vtu(Cursor &cursor) { return VtuReader(cursor).read(); }
+  PlainMesh read_vtu(Cursor &cursor)
+  {
+    PlainMesh mesh;
+    VtkGrid   grid(cursor, mesh);
+    VtuReader<VtkGrid>(cursor, grid).read();
+    mesh.format = "VTK XML";
+    return mesh;
+  }
+
+  FieldGrid read_field_grid(const std::filesystem::path &file)
+  {
+    const std::string bytes = scene::read_input_bytes(file);
+    Cursor            cursor(file, bytes);
+    FieldGrid         grid;
+    FieldCells        cells(cursor, grid);
+    VtuReader<FieldCells>(cursor, cells).read();
+    return grid;
+  }
 } // namespace myolines

@@ -2,7 +2,10 @@
 #include "hdf5_tables.h"
 #include "point_states.h"
 
+#include <myolines/muscle3d/field_units.h>
+
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_system.h>
@@ -15,10 +18,10 @@ namespace myolines
 {
   namespace
   {
-    /// A field that lives at quadrature points: how many numbers, and which.
+    /// A field that lives at quadrature points: its name and unit, and which number.
     struct PointField
     {
-      std::string                                                                               name;
+      std::string                                                                               name, unit;
       std::function<double(const Muscle3dParameters &, const Activation &, const PointState &)> value;
     };
 
@@ -39,40 +42,118 @@ namespace myolines
       return 2 * p.material[material_yeoh] + (1 - p.material[material_fat]) * m.tissue(p.material_id).shear_modulus_of_laws();
     }
 
-    const std::vector<PointField> &point_fields()
+    /// Cauchy stress of all parts together [Pa].
+    Matrix3 whole_stress(const Muscle3dParameters &m, const Activation &a, const PointState &p)
+    {
+      return cauchy(stress_parts(m, a, p).total(), p);
+    }
+
+    /// sqrt(3/2 s : s) of the deviator s.
+    double von_mises(const Matrix3 &stress)
+    {
+      const double mean = (stress[0][0] + stress[1][1] + stress[2][2]) / 3;
+      double       sum  = 0;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          sum += (stress[i][j] - (i == j ? mean : 0)) * (stress[i][j] - (i == j ? mean : 0));
+      return std::sqrt(1.5 * sum);
+    }
+
+    /// Green's strain (F^T F - 1) / 2.
+    Matrix3 green_strain(const PointState &p)
+    {
+      Matrix3 strain = transpose(p.F) * p.F;
+      for (unsigned int i = 0; i < 3; ++i)
+        strain[i][i] -= 1;
+      return strain / 2;
+    }
+
+    /// Of a symmetric matrix, the largest first.
+    double principal_value(const Matrix3 &matrix, const unsigned int which)
+    {
+      dealii::SymmetricTensor<2, 3> symmetric;
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = i; j < 3; ++j)
+          symmetric[i][j] = (matrix[i][j] + matrix[j][i]) / 2;
+      return dealii::eigenvalues(symmetric)[which];
+    }
+
+    /// Components and principal values of Cauchy's stress and Green's strain, and what follows from them.
+    void add_tensor_fields(std::vector<PointField> &fields)
     {
       using Parameters = Muscle3dParameters;
-      static const std::vector<PointField> fields{
-          {"pressure", [](const Parameters &, const Activation &, const PointState &p) { return p.pressure; }},
-          {"dilatation", [](const Parameters &, const Activation &, const PointState &p) { return p.dilatation; }},
-          {"jacobian", [](const Parameters &, const Activation &, const PointState &p) { return p.J; }},
-          {"stretch", [](const Parameters &, const Activation &, const PointState &p) { return p.stretch; }},
-          {"strain rate", [](const Parameters &, const Activation &, const PointState &p) { return p.strain_rate; }},
-          {"pennation", [](const Parameters &, const Activation &, const PointState &p) { return p.pennation; }},
-          {"fibre direction x", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[0] / p.stretch; }},
-          {"fibre direction y", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[1] / p.stretch; }},
-          {"fibre direction z", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[2] / p.stretch; }},
-          {"active stress", [](const Parameters &m, const Activation &a,
-                               const PointState &p) { return cauchy(stress_parts(m, a, p)[muscle_active], p).norm(); }},
-          {"passive stress", [](const Parameters &m, const Activation &a,
-                                const PointState &p) { return size_of(passive_fibre_part(p.material_id), stress_parts(m, a, p), p); }},
-          {"base stress", [](const Parameters &m, const Activation &a,
-                             const PointState &p) { return size_of(base_part(p.material_id), stress_parts(m, a, p), p); }},
-          {"law stress",
-           [](const Parameters &m, const Activation &a, const PointState &p) { return size_of_laws(stress_parts(m, a, p), p); }},
-          {"tissue", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_tissue]; }},
-          {"maximum isometric stress",
+      for (const auto &[name, i, j] :
+           {std::tuple<const char *, int, int>{"xx", 0, 0}, {"yy", 1, 1}, {"zz", 2, 2}, {"xy", 0, 1}, {"yz", 1, 2}, {"zx", 2, 0}})
+        {
+          const int row = i, column = j;
+          fields.push_back(
+              {std::string("stress ") + name, "Pa", [row, column](const Parameters &m, const Activation &a, const PointState &p) {
+                 return whole_stress(m, a, p)[row][column];
+               }});
+          fields.push_back(
+              {std::string("green strain ") + name, "",
+               [row, column](const Parameters &, const Activation &, const PointState &p) { return green_strain(p)[row][column]; }});
+        }
+      for (const unsigned int which : {0u, 1u, 2u})
+        {
+          const std::string number = std::to_string(which + 1);
+          fields.push_back({"principal stress " + number, "Pa", [which](const Parameters &m, const Activation &a, const PointState &p) {
+                              return principal_value(whole_stress(m, a, p), which);
+                            }});
+          fields.push_back({"principal green strain " + number, "", [which](const Parameters &, const Activation &, const PointState &p) {
+                              return principal_value(green_strain(p), which);
+                            }});
+        }
+      fields.push_back({"von mises stress", "Pa",
+                        [](const Parameters &m, const Activation &a, const PointState &p) { return von_mises(whole_stress(m, a, p)); }});
+    }
+
+    std::vector<PointField> all_point_fields()
+    {
+      using Parameters = Muscle3dParameters;
+      std::vector<PointField> fields{
+          {"pressure", "Pa", [](const Parameters &, const Activation &, const PointState &p) { return p.pressure; }},
+          {"dilatation", "", [](const Parameters &, const Activation &, const PointState &p) { return p.dilatation; }},
+          {"jacobian", "", [](const Parameters &, const Activation &, const PointState &p) { return p.J; }},
+          {"stretch", "", [](const Parameters &, const Activation &, const PointState &p) { return p.stretch; }},
+          {"strain rate", "", [](const Parameters &, const Activation &, const PointState &p) { return p.strain_rate; }},
+          {"pennation", "degree", [](const Parameters &, const Activation &, const PointState &p) { return p.pennation; }},
+          {"fibre direction x", "", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[0] / p.stretch; }},
+          {"fibre direction y", "", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[1] / p.stretch; }},
+          {"fibre direction z", "", [](const Parameters &, const Activation &, const PointState &p) { return p.fibre[2] / p.stretch; }},
+          {"active stress", "Pa",
+           [](const Parameters &m, const Activation &a, const PointState &p) {
+             return cauchy(stress_parts(m, a, p)[muscle_active], p).norm();
+           }},
+          {"passive stress", "Pa",
+           [](const Parameters &m, const Activation &a, const PointState &p) {
+             return cauchy(stress_parts(m, a, p)[passive_fibre_part(p.material_id)], p).norm();
+           }},
+          {"base stress", "Pa",
+           [](const Parameters &m, const Activation &a, const PointState &p) {
+             return cauchy(stress_parts(m, a, p)[base_part(p.material_id)], p).norm();
+           }},
+          {"tissue", "", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_tissue]; }},
+          {"maximum isometric stress", "Pa",
            [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_passive]; }},
-          {"shear modulus", [](const Parameters &m, const Activation &, const PointState &p) { return shear_modulus(m, p); }},
-          {"bulk modulus", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_bulk]; }},
-          {"density", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_density]; }},
-          {"fat fraction", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_fat]; }},
-          {"activation", [](const Parameters &, const Activation &a,
-                            const PointState &p) { return p.material[material_active] == 0 ? 0. : a.at(p.material[material_region]); }},
-          {"acoustic eigenvalue",
-           [](const Parameters &m, const Activation &a, const PointState &p) { return smallest_acoustic_eigenvalue(m, a, p); }},
-          {"stress xx",
-           [](const Parameters &m, const Activation &a, const PointState &p) { return cauchy(stress_parts(m, a, p).total(), p)[0][0]; }}};
+          {"shear modulus", "Pa",
+           [](const Parameters &m, const Activation &, const PointState &p) { return shear_modulus(m, p); }},
+          {"bulk modulus", "Pa", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_bulk]; }},
+          {"density", "kg/m^3", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_density]; }},
+          {"fat fraction", "", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_fat]; }},
+          {"activation", "",
+           [](const Parameters &, const Activation &a, const PointState &p) {
+             return p.material[material_active] == 0 ? 0. : a.at(p.material[material_region]);
+           }},
+          {"acoustic eigenvalue", "Pa",
+           [](const Parameters &m, const Activation &a, const PointState &p) { return smallest_acoustic_eigenvalue(m, a, p); }}};
+      add_tensor_fields(fields);
+      return fields;
+    }
+
+    const std::vector<PointField> &point_fields()
+    {
+      static const std::vector<PointField> fields = all_point_fields();
       return fields;
     }
 
@@ -200,7 +281,7 @@ namespace myolines
       const RowShare         points(filter.n_nodes(), communicator);
       std::vector<Hdf5Table> tables;
       for (const std::string &field : fields)
-        tables.push_back({field_label(field), points.all, is_vector_field(field) ? 3u : 1u, false, {}});
+        tables.push_back({field_label(field), points.all, is_vector_field(field) ? 3u : 1u, false, {{"unit", field_unit(field)}}});
       Hdf5File hdf5(file, communicator, tables);
       for (unsigned int i = 0; i < fields.size(); ++i)
         {
@@ -223,6 +304,16 @@ namespace myolines
   }
 
   bool is_vector_field(const std::string &field) { return field == "displacement" || field == "velocity"; }
+
+  std::string field_unit(const std::string &field)
+  {
+    if (is_vector_field(field))
+      return field == "velocity" ? "m/s" : "m";
+    for (const PointField &each : point_fields())
+      if (each.name == field)
+        return each.unit;
+    return "";
+  }
 
   std::string field_label(const std::string &field)
   {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
+#include <myolines/base/names.h>
 #include <myolines/output/manifest.h>
+#include <myolines/output/text_file.h>
 #include <myolines/study/csv_table.h>
 #include <myolines/study/plot.h>
 #include <myolines/study/results.h>
+#include <myolines/study/series_titles.h>
 
 #include <algorithm>
 #include <cctype>
@@ -63,11 +66,27 @@ namespace myolines::study
     {
       Picture picture;
       picture.name    = name_of_file(name);
-      picture.title   = title;
+      picture.title   = series_title(title);
       picture.x_label = "time [s]";
       picture.y_label = y_label;
       picture.marks   = false;
       return picture;
+    }
+
+    /// "force [N]": what a unit measures, where it is but one thing.
+    std::string label_of(const std::string &unit)
+    {
+      for (const auto &[of, what] : {std::pair<const char *, const char *>{"N", "force"},
+                                     {"m", "length"},
+                                     {"J", "energy or work"},
+                                     {"J/m^3", "energy density"},
+                                     {"m/s", "velocity"},
+                                     {"deg", "angle"},
+                                     {"Pa", "stress"},
+                                     {"m^3", "volume"}})
+        if (unit == of)
+          return std::string(what) + " [" + unit + "]";
+      return "[" + (unit.empty() ? "-" : unit) + "]";
     }
 
     /// Columns of one unit share a picture.
@@ -83,7 +102,7 @@ namespace myolines::study
           if (found == units.end())
             {
               units.push_back(unit);
-              pictures.push_back(empty_series(stem + (unit.empty() ? "" : "_" + unit), stem, "[" + (unit.empty() ? "-" : unit) + "]"));
+              pictures.push_back(empty_series(stem + (unit.empty() ? "" : "_" + unit), stem, label_of(unit)));
               found = units.end() - 1;
             }
           pictures[found - units.begin()].curves.push_back(curve_of(header, series_of(named.table, header)));
@@ -152,23 +171,27 @@ namespace myolines::study
     const bool study = one && std::filesystem::exists(options.folders.front() / "study.resolved.xml");
     if (study && !options.file.empty())
       throw InputError(InputProblem{"--file", "a study has one table", "no such option", "name the folder of a run, in cases/"});
-    const std::vector<Picture> pictures =
-        study ? pictures_of_study(options.folders.front()) : pictures_of_runs(options.folders, options.file);
+    std::vector<Picture> pictures = study ? pictures_of_study(options.folders.front()) : pictures_of_runs(options.folders, options.file);
+    const std::vector<Constant> constants = study ? std::vector<Constant>() : without_constants(pictures);
     if (std::none_of(pictures.begin(), pictures.end(), has_points))
       throw InputError(InputProblem{options.folders.front().string(), "there is nothing to draw",
                                     study ? "a study with numbers in its table: its column \"notes\" says why there are none"
-                                          : "runs that have a table in common, with numbers",
-                                    ""});
+                                          : "runs that have a table in common, with numbers that change",
+                                    constants.empty() ? "" : "all values stay as they are at the start"});
     const std::filesystem::path folder = !options.out.empty() ? options.out : one ? options.folders.front() / "pictures" : "pictures";
     const std::size_t           n      = draw(pictures, folder);
+    replace_file(folder / "index.html", index_page(join(titles(options.folders), " and "), pictures, constants));
     if (one && options.out.empty() && !study)
       {
-        std::vector<std::string> names;
+        std::vector<std::string> names{"pictures/index.html"};
         for (const Picture &picture : pictures)
           for (const char *extension : {".gp", ".png", ".svg"})
             names.push_back("pictures/" + picture.name + extension);
         list_in_manifest(options.folders.front(), names);
       }
-    out << n << " pictures, as PNG and SVG, are in " << folder.string() << "; each NAME.gp is what gnuplot draws one from.\n";
+    out << n << " pictures, as PNG and SVG, are in " << folder.string()
+        << "; index.html shows them, each NAME.gp is what gnuplot draws one from.\n";
+    if (!constants.empty())
+      out << "Columns that do not change have no picture: " << constants.size() << ", with their values in index.html.\n";
   }
 } // namespace myolines::study

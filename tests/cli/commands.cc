@@ -257,7 +257,7 @@ TEST(Template, OfEverySystemAndIntegratorPassesCheck)
             EXPECT_FALSE(integrator.facts.dynamic) << system.name << ", " << integrator.facts.name;
             continue;
           }
-        check_command(folder.write("template.xml", text.str()), {}, report);
+        check_command(folder.write("template.xml", text.str()), {}, false, report);
         EXPECT_NE(report.str().find("Integrator: " + integrator.facts.name), std::string::npos);
       }
 }
@@ -270,7 +270,7 @@ TEST(Template, BeginsWithSdirk3AndStepsByError)
     {
       std::ostringstream text, report;
       template_command(system.name, "", text);
-      check_command(folder.write("template.xml", text.str()), {}, report);
+      check_command(folder.write("template.xml", text.str()), {}, false, report);
       EXPECT_NE(report.str().find("Integrator: sdirk3"), std::string::npos) << system.name;
       EXPECT_NE(report.str().find("Steps: chosen by error"), std::string::npos) << system.name;
     }

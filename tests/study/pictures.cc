@@ -58,7 +58,7 @@ TEST(Pictures, ColumnsOfOneUnitShareOneAndRunsAreCompared)
     }
   const auto one = pictures_of_runs({folder / "a"}, "");
   ASSERT_EQ(one.size(), 2u);
-  EXPECT_EQ(one[0].y_label, "[N]");
+  EXPECT_EQ(one[0].y_label, "force [N]");
   ASSERT_EQ(one[0].curves.size(), 2u);
   EXPECT_EQ(one[0].curves[1].points[1], (std::pair<double, double>(1, 5)));
   const auto both = pictures_of_runs({folder / "a", folder / "b"}, "r.csv");

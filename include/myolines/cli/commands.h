@@ -30,8 +30,9 @@ namespace myolines
   };
   void run_command(const RunOptions &options, std::ostream &out);
 
-  /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps.
-  void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, std::ostream &out);
+  /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps. If @p brief, only unknowns, steps,
+  /// memory, predicted_cost() and warnings.
+  void check_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, bool brief, std::ostream &out);
 
   /// Writes the mesh of @p scene, refined as it is there, to @p file: VTK or Gmsh by its ending.
   void mesh_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, const std::filesystem::path &file,

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace myolines
 {
@@ -17,12 +18,13 @@ namespace myolines
   struct RunRecord
   {
     std::string                        command_line;
-    std::string                        scene;           ///< its file
-    std::string                        started;         ///< as iso8601_now() gives it
-    std::string                        resumed;         ///< from what; "" if the run began at its start
-    std::map<std::string, std::string> inputs;          ///< files that it reads, with their checksums (CRC-32)
-    std::optional<EnergyReport>        energy;          ///< none: nobody looked at it
-    std::string                        instruction_set; ///< of the cell kernels
+    std::string                        scene;              ///< its file
+    std::string                        started;            ///< as iso8601_now() gives it
+    std::string                        resumed;            ///< from what; "" if the run began at its start
+    std::map<std::string, std::string> inputs;             ///< files that it reads, with their checksums (CRC-32)
+    std::optional<EnergyReport>        energy;             ///< none: nobody looked at it
+    std::vector<std::string>           plan{}, warnings{}; ///< what it computes and skips, and what was told before it began
+    std::string                        instruction_set{};      ///< of the cell kernels
   };
 
   /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, input files, files noted in @p folder, exit reason;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace myolines::picture
+{
+  /// Red, green and blue in [0, 1].
+  using Colour = std::array<double, 3>;
+
+  /// "#0072b2".
+  std::string hexadecimal(const Colour &colour);
+
+  /// Colours of numbers in [0, 1].
+  enum class ColourMap
+  {
+    viridis,   ///< from dark to light, even to the eye, the same to all eyes (S. van der Walt, N. Smith, 2015; CC0)
+    diverging, ///< blue, white, red: for numbers of both signs, 0 in the middle
+    tissues    ///< thirds: muscle, aponeurosis, tendon
+  };
+  Colour colour_of(ColourMap map, double x);
+} // namespace myolines::picture
