@@ -25,11 +25,11 @@ def fibre(s, u, v, step=1e-6):
     return [x / length for x in vector]
 
 
-def curved(n):
-    """The mesh of n[0] x n[1] x n[2] hexahedra along and across it, and its fibres."""
+def curved(n, squeeze=0):
+    """The mesh of n[0] x n[1] x n[2] hexahedra along and across it, and its fibres. Every other layer of cells is thinner by this part, its neighbour thicker."""
 
     def parameters(i, j, k):
-        return i / n[0], 2 * j / n[1] - 1, 2 * k / n[2] - 1
+        return (i + squeeze * (i % 2) * (i < n[0])) / n[0], 2 * j / n[1] - 1, 2 * k / n[2] - 1
 
     mesh = StructuredMesh(n, lambda i, j, k: place(*parameters(i, j, k)), lambda i, j, k: "muscle",
                           lambda axis, side, i, j, k: ("origin", "insertion")[side] if axis == 0 else None)

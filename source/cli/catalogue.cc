@@ -12,9 +12,12 @@
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/outputs.h>
 #include <myolines/rod1d/rod1d_system.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/system/file_drive.h>
 #include <myolines/time/step_control.h>
+
+#include <algorithm>
 
 namespace myolines
 {
@@ -297,6 +300,16 @@ namespace myolines
 
   namespace
   {
+    /// Whether the overrides say how large steps are, or who chooses them.
+    bool choose_steps(const std::vector<std::string> &overrides)
+    {
+      const auto of_steps = [](const std::string &text) {
+        const std::string path = scene::trimmed(text.substr(0, text.find('=')));
+        return path == "time/step" || path == "time/steps" || path.rfind("time/control/", 0) == 0;
+      };
+      return std::any_of(overrides.begin(), overrides.end(), of_steps);
+    }
+
     /// What a method needs that an override has chosen for a scene made for another one.
     std::vector<scene::Preset> presets(const std::filesystem::path &file, const std::vector<std::string> &overrides)
     {
@@ -311,6 +324,9 @@ namespace myolines
           {
             if (!entry.make)
               all.push_back({"time/control/type", "error", entry.facts.name + " chooses its steps itself"});
+            else if ((entry.make_self_paced || entry.facts.solves == MethodFacts::Solves::linear_systems) && !choose_steps(overrides))
+              all.push_back(
+                  {"time/control/type", "error", "steps that were chosen for other methods may be too long for " + entry.facts.name});
             if (!entry.facts.scheme_rates && scene::peek_text(file, "time/boundary rates", overrides) == "scheme")
               all.push_back(
                   {"time/boundary rates", "exact", entry.facts.name + " has no formulas of its own for the rates of a moving boundary"});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "abaqus_motion.h"
 #include "formats.h"
 
 #include <cmath>
@@ -96,6 +97,8 @@ namespace myolines
                          std::to_string(kind_.n_nodes));
         add_elements();
         add_surfaces();
+        for (PlainMesh::Position &x : mesh_.points)
+          x = motion_.of(x);
         return std::move(mesh_);
       }
 
@@ -150,6 +153,10 @@ namespace myolines
         refuse_what_is_not_read();
         if (keyword_ == "*INSTANCE" && ++n_instances_ > 1)
           cursor_.refuse("there are several instances of parts", "one", "merge the parts");
+        if (keyword_ == "*ASSEMBLY" || keyword_ == "*END ASSEMBLY" || keyword_ == "*INSTANCE" || keyword_ == "*END INSTANCE")
+          beside_the_instance_ = keyword_ == "*ASSEMBLY" || keyword_ == "*END INSTANCE";
+        if (keyword_ == "*NODE" && beside_the_instance_)
+          keyword_ = "*OTHER"; // a point of reference, with a number of its own
         if (keyword_ == "*ELEMENT")
           kind_ = abaqus_kind(upper(options_["TYPE"]), cursor_);
         if (keyword_ == "*SURFACE" && upper(options_["TYPE"]) == "NODE")
@@ -169,7 +176,7 @@ namespace myolines
         else if (keyword_ == "*SURFACE")
           read_surface(words_of(line));
         else if (keyword_ == "*INSTANCE")
-          cursor_.refuse("the instance of the part is moved", "a part where its nodes are");
+          read_motion(words_of(line));
       }
 
       std::string name_of(const std::string &option)
@@ -190,17 +197,29 @@ namespace myolines
         return static_cast<std::int64_t>(value);
       }
 
+      double finite(const std::string_view word, const std::string &what) const
+      {
+        const double value = number_of(word);
+        if (!std::isfinite(value))
+          cursor_.refuse("\"" + std::string(word.substr(0, 40)) + "\" stands where " + what + " should be", "a number");
+        return value;
+      }
+
+      void read_motion(const std::vector<std::string_view> &words)
+      {
+        std::vector<double> numbers;
+        for (const std::string_view word : words)
+          numbers.push_back(finite(word, "a number of a motion"));
+        motion_.add(numbers, cursor_);
+      }
+
       void read_node(const std::vector<std::string_view> &words)
       {
         if (words.size() < 4)
           cursor_.refuse("a node has " + std::to_string(words.size()) + " numbers", "its number and three coordinates");
         PlainMesh::Position x;
         for (std::size_t c = 0; c < 3; ++c)
-          {
-            x[c] = number_of(words[c + 1]);
-            if (!std::isfinite(x[c]))
-              cursor_.refuse("\"" + std::string(words[c + 1].substr(0, 40)) + "\" stands where a coordinate should be", "a number");
-          }
+          x[c] = finite(words[c + 1], "a coordinate");
         const std::int64_t number = integer(words[0], "the number of a node");
         builder_.add_point(number, x);
         if (options_.count("NSET") > 0)
@@ -361,6 +380,8 @@ namespace myolines
       std::map<std::string, std::vector<std::int64_t>>                         element_sets_, node_sets_;
       std::vector<std::pair<std::string, std::pair<std::string, std::string>>> surfaces_; ///< name; set or element, and side
       unsigned int                                                             n_instances_ = 0;
+      AbaqusMotion                                                             motion_;                      ///< of the instance
+      bool                                                                     beside_the_instance_ = false; ///< in the assembly
     };
   } // namespace
 

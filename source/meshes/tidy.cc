@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <unordered_map>
 
@@ -316,27 +315,6 @@ namespace myolines
     if (done.unused + done.joined > 0)
       mesh.point_fields.clear();
     return done;
-  }
-
-  std::vector<std::size_t> parts_of(const PlainMesh &mesh)
-  {
-    std::vector<unsigned int> leader(mesh.points.size());
-    std::iota(leader.begin(), leader.end(), 0u);
-    const auto find = [&leader](unsigned int v) {
-      while (leader[v] != v)
-        v = leader[v] = leader[leader[v]];
-      return v;
-    };
-    for (const Element &cell : mesh.cells)
-      for (unsigned int i = 1; i < n_corners(cell.shape); ++i)
-        leader[find(cell.corner[i])] = find(cell.corner[0]);
-    std::map<unsigned int, std::size_t> first;
-    for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-      first.emplace(find(mesh.cells[i].corner[0]), i);
-    std::vector<std::size_t> parts;
-    for (const auto &[point, cell] : first)
-      parts.push_back(cell);
-    return parts;
   }
 
   std::vector<Position> hanging_points(const PlainMesh &mesh)

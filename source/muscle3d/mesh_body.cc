@@ -51,11 +51,26 @@ namespace myolines
       if (const auto hanging = hanging_points(mesh); !hanging.empty())
         refuse("a point hangs at " + place_text(point_of(hanging.front())) + ": cells of different size meet", "a conforming mesh",
                "in Gmsh: Coherence Mesh");
+      if (const auto faces = unfitting_faces(mesh); !faces.empty())
+        refuse("a quadrilateral of one cell meets triangles of others at " + place_text(point_of(mesh.points[faces.front().corner[0]])) +
+                   ": these cells do not fit each other",
+               "a conforming mesh", "pyramids between hexahedra and tetrahedra");
       if (const auto parts = parts_of(mesh); parts.size() > 1)
         refuse("the mesh falls into " + std::to_string(parts.size()) + " parts that do not touch: one has a point at " +
                    place_text(point_of(mesh.points[mesh.cells[parts[0]].corner[0]])) + ", another one at " +
                    place_text(point_of(mesh.points[mesh.cells[parts[1]].corner[0]])),
                "one connected body", "join the parts, or make a mesh of each");
+    }
+
+    /// Parts of the body that only edges or points join.
+    void tell_hinges(const PlainMesh &mesh, std::vector<std::string> &report)
+    {
+      const std::vector<std::size_t> parts = parts_without_common_faces(mesh);
+      const auto place = [&](const std::size_t part) { return place_text(point_of(mesh.points[mesh.cells[parts[part]].corner[0]])); };
+      if (parts.size() > 1)
+        report.push_back("hinges: the body has " + std::to_string(parts.size()) +
+                         " parts that have only edges or points in common; one has a point at " + place(0) + ", another one at " +
+                         place(1));
     }
 
     /// The mesh in metres, put right.
@@ -77,6 +92,7 @@ namespace myolines
       tell(done.twice, "cells were there twice: once taken", body.report);
       tell(done.turned, "left-handed cells: turned", body.report);
       refuse_what_is_no_body(mesh, refuse);
+      tell_hinges(mesh, body.report);
       return mesh;
     }
 

@@ -93,6 +93,15 @@ namespace myolines::study
       return result;
     }
 
+    Case repeat_of(const Case &point, const unsigned int number)
+    {
+      Case repeat     = point;
+      repeat.role     = Case::Role::repeat;
+      repeat.repeated = point.name;
+      repeat.name     = case_name(point.name, {{"repeat", std::to_string(number)}});
+      return repeat;
+    }
+
     /// Adds @p made unless a case of that name is there; one that is must be the same.
     void add_once(std::vector<Case> &cases, std::map<std::string, std::size_t> &places, Case made)
     {
@@ -117,6 +126,8 @@ namespace myolines::study
         return "reference";
       case Case::Role::cross_check:
         return "cross check";
+      case Case::Role::repeat:
+        return "repeat";
       case Case::Role::point:
         break;
       }
@@ -162,6 +173,14 @@ namespace myolines::study
         }
     references.insert(references.end(), checks.begin(), checks.end());
     references.insert(references.end(), points.begin(), points.end());
+    for (unsigned int number = 2; number <= study.repeats; ++number)
+      for (const Case &point : points)
+        {
+          references.push_back(repeat_of(point, number));
+          if (!names.insert(references.back().name).second)
+            throw InputError(InputProblem{"repeats", "the name of the repeat " + references.back().name + " is that of a case",
+                                          "an axis of another name than \"repeat\"", ""});
+        }
     return references;
   }
 } // namespace myolines::study

@@ -109,6 +109,14 @@ namespace myolines::study
         }
     }
 
+    void print_unequal_repeats(const Study &study, const std::vector<Row> &rows, std::ostream &out)
+    {
+      for (const Row &row : rows)
+        for (std::size_t q = 0; q < row.values.size(); ++q)
+          if (row.values[q].note.rfind(repeats_differ, 0) == 0)
+            out << "Warning: " << row.outcome.name << ", \"" << study.quantities[q].name << "\": " << row.values[q].note << "\n";
+    }
+
     void print_cross_checks(const Study &study, const std::vector<Row> &rows, std::ostream &out)
     {
       for (const Row &row : rows)
@@ -203,6 +211,7 @@ namespace myolines::study
       write_tables(study, rows, runner.folder, database);
       print_counts(rows, out);
       print_missing(study, rows, out);
+      print_unequal_repeats(study, rows, out);
       throw_if_open(report);
       print_cross_checks(study, rows, out);
       print_equal_error(study, rows, out);

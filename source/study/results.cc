@@ -292,11 +292,13 @@ namespace myolines::study
         const bool done = row.outcome.status == "done";
         for (const Quantity &quantity : study.quantities)
           row.values.push_back(done ? evaluation.value(quantity, which) : Measured{});
-        const bool judged = study.view.kind == Kind::stability_map && which.role == Case::Role::point && row.outcome.status != "open";
+        const bool judged = study.view.kind == Kind::stability_map &&
+                            (which.role == Case::Role::point || which.role == Case::Role::repeat) && row.outcome.status != "open";
         if (judged)
           row.stability = stability_class(study.view, done, done ? signal_measures(evaluation, study.view, which) : SignalMeasures{});
         rows.push_back(std::move(row));
       }
+    take_repeats_together(study, rows);
     add_rates(study, rows);
     return rows;
   }

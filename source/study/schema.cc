@@ -131,6 +131,8 @@ namespace myolines::study
         .file("scene", "Scene that all cases start from, relative to the study.")
         .text("settings", "", "Parameters for all cases and references, \"time/end=1 | solver/nonlinear/relative tolerance=1e-12\".")
         .integer("ranks", 1, Range::closed(1, 1e6), "MPI ranks of each run; above 1, mpirun of Open MPI starts it.")
+        .integer("repeats", 1, Range::closed(1, 1000),
+                 "Runs of each case, for seconds.csv: the median of their seconds and the spread. Their results must be equal.")
         .choice("interrupted cases", "restart", {"restart", "resume"},
                 "Begin anew, so that counts and seconds are those of one run, or go on from their checkpoints.")
         .variant("kind", "sweep", kinds(), "What is to be seen.")

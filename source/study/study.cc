@@ -342,6 +342,7 @@ namespace myolines::study
     study.settings      = split(node.text("settings"));
     study.resumes       = node.text("interrupted cases") == "resume";
     study.ranks         = static_cast<unsigned int>(node.integer("ranks"));
+    study.repeats       = static_cast<unsigned int>(node.integer("repeats"));
     study.case_seconds  = node.section("budget").number("case");
     study.total_seconds = node.section("budget").number("total");
     for (const Node &grid : node.section("grids").named())

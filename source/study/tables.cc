@@ -96,10 +96,18 @@ namespace myolines::study
 
     void write_seconds_csv(const Study &study, const std::vector<Row> &rows, const std::filesystem::path &folder)
     {
+      const bool               repeated = study.repeats > 1;
       std::vector<std::string> header{"case", "CPU [s]", "wall clock [s]"};
       for (const Quantity &quantity : study.quantities)
         if (is_of_machine(quantity))
           header.push_back(header_of(quantity));
+      if (repeated)
+        {
+          header.insert(header.end(), {"runs", "spread of CPU [s]", "spread of wall clock [s]"});
+          for (const Quantity &quantity : study.quantities)
+            if (is_of_machine(quantity))
+              header.push_back("spread of " + header_of(quantity));
+        }
       CsvFile file(OutputFolder(folder), "seconds.csv", header);
       for (const Row &row : rows)
         if (row.outcome.status != "open")
@@ -108,6 +116,13 @@ namespace myolines::study
             for (std::size_t q = 0; q < study.quantities.size(); ++q)
               if (is_of_machine(study.quantities[q]))
                 cells.push_back(cell(row.values[q]));
+            if (repeated)
+              {
+                cells.insert(cells.end(), {std::to_string(row.spread.runs), cell({row.spread.cpu, ""}), cell({row.spread.wall, ""})});
+                for (std::size_t q = 0; q < study.quantities.size(); ++q)
+                  if (is_of_machine(study.quantities[q]))
+                    cells.push_back(q < row.spread.values.size() ? cell({row.spread.values[q], ""}) : "");
+              }
             file.row(cells);
           }
       file.close();

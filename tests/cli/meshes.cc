@@ -73,6 +73,19 @@ namespace meshes_by_the_program
     EXPECT_NE(face.err.find("the mesh names no surface"), std::string::npos) << face.err;
   }
 
+  TEST_F(Meshes, HingesAreTold)
+  {
+    // the second box beside and above the first: they share the edge from point 8 to point 11
+    folder_.write("bare.msh",
+                  "$NOD\n14\n1 0 0 0\n2 15 0 0\n4 0 10 0\n5 15 10 0\n7 0 0 10\n8 15 0 10\n9 30 0 10\n10 0 10 10\n11 15 10 10\n"
+                  "12 30 10 10\n13 15 0 20\n14 30 0 20\n15 15 10 20\n16 30 10 20\n$ENDNOD\n$ELM\n2\n1 5 0 0 8 1 2 5 4 7 8 11 10\n"
+                  "2 5 0 0 8 8 9 12 11 13 14 16 15\n$ENDELM\n");
+    const Outcome done = run("check", scene("", fixed("rest")));
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.out.find("hinges: the body has 2 parts that have only edges or points in common; one has a point at"), std::string::npos)
+        << done.out;
+  }
+
   TEST_F(Meshes, SizesThatNoMuscleHasAreWarnedOf)
   {
     const std::string warning = "Warning: the body is 30 m long";

@@ -5,10 +5,12 @@
 #include "small_scenes.h"
 
 #include <myolines/scene/csv.h>
+#include <myolines/study/processes.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 
 namespace
 {
@@ -109,6 +111,46 @@ TEST(Verify, HoldsTheExactOscillationAndGoesOn)
   EXPECT_NE(refusal("trajectry.csv:displacement").find("nearest: \"trajectory.csv\""), std::string::npos);
   EXPECT_NE(refusal("trajectory.csv:displacement:biggest").find("largest"), std::string::npos);
   EXPECT_NE(refusal("trajectory.csv:displacement:at 3").find("from 0 s to 2 s"), std::string::npos);
+}
+
+/// Killed after one of three runs, and after two: no run is done twice, and what it says is what one left alone says.
+TEST(Verify, KilledAndCalledAgainGoesOn)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", free_oscillation);
+  const std::string              arguments = " --jobs 1 --set time/step=1e-4 --quantity trajectory.csv:displacement";
+  const std::vector<std::string> command   = {myolines::test::program_file(),
+                                              "verify",
+                                              (folder / "scene.xml").string(),
+                                              "--out",
+                                              (folder / "out").string(),
+                                              "--jobs",
+                                              "1",
+                                              "--set",
+                                              "time/step=1e-4",
+                                              "--quantity",
+                                              "trajectory.csv:displacement"};
+  const auto                     runs_done = [&] { return occurrences(contents(folder / "out/study.log"), "  done  "); };
+  for (const std::size_t n : {1u, 2u})
+    {
+      myolines::study::Processes          processes;
+      const pid_t                         verification = processes.start(command, folder / "console");
+      std::vector<myolines::study::Ended> ended;
+      while (ended.empty() && runs_done() < n)
+        ended = processes.wait(0.005);
+      if (ended.empty())
+        processes.send(verification, SIGKILL);
+      while (ended.empty())
+        ended = processes.wait(1);
+      ASSERT_EQ(ended.front().signal, SIGKILL) << contents(folder / "console");
+      EXPECT_FALSE(std::filesystem::exists(folder / "out/verify.csv"));
+    }
+  ASSERT_EQ(run_program(folder, "verify scene.xml --out out" + arguments).exit_code, 0);
+  EXPECT_EQ(runs_done(), 3u);
+  ASSERT_EQ(run_program(folder, "verify scene.xml --out alone" + arguments).exit_code, 0);
+  const auto killed = myolines::scene::read_csv(folder / "out/verify.csv"), alone = myolines::scene::read_csv(folder / "alone/verify.csv");
+  for (const char *const column : {"value", "error of steps", "rate in steps", "steps", "to halve it"})
+    EXPECT_EQ(killed->rows.at(0).at(killed->column(column).value()), alone->rows.at(0).at(alone->column(column).value())) << column;
 }
 
 /// The trapezoidal rule keeps the peak: what is left is what lies between the rows.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace myolines
 {
   namespace
@@ -80,6 +82,41 @@ namespace myolines
       const PlainMesh mesh = test::mesh_of(nodes() + "*Element,\n type=C3D8R,\n elset=a\n" + element(1, 0));
       ASSERT_EQ(mesh.cells.size(), 1u);
       EXPECT_EQ(mesh.cell_groups.at(mesh.cells[0].group), "a");
+    }
+
+    /// Moved by (1, 2, 3), then turned by 90 degrees about the line along z through (1, 0, 0): x and y become 1 - y and x - 1.
+    TEST(AbaqusFiles, InstancesAreMovedAndTurned)
+    {
+      const auto assembled = [](const std::string &motion) {
+        return "*PART, NAME=P\n" + nodes() + cells() + "*END PART\n*ASSEMBLY, NAME=A\n*INSTANCE, NAME=I, PART=P\n" + motion +
+               "*END INSTANCE\n*NODE\n5, 99, 99, 99\n*END ASSEMBLY\n";
+      };
+      const PlainMesh there = test::mesh_of(assembled("")), moved = test::mesh_of(assembled("1., 2., 3.\n")),
+                      turned = test::mesh_of(assembled("1., 2., 3.\n1., 0., 0., 1., 0., 7., 90.\n"));
+      ASSERT_EQ(there.points.size(), 12u); // without the point of reference of the assembly
+      for (std::size_t i = 0; i < there.points.size(); ++i)
+        {
+          const auto &x = there.points[i], &t = turned.points[i];
+          EXPECT_EQ(moved.points[i], (PlainMesh::Position{{x[0] + 1, x[1] + 2, x[2] + 3}}));
+          EXPECT_NEAR(t[0], 1 - (x[1] + 2), 1e-14);
+          EXPECT_NEAR(t[1], x[0] + 1 - 1, 1e-14);
+          EXPECT_NEAR(t[2], x[2] + 3, 1e-14);
+        }
+
+      const double h       = std::sqrt(0.5);
+      const auto   slanted = test::mesh_of(assembled("0, 0, 0\n0, 0, 0, 1, 1, 0, -180\n")); // swaps x and y, turns z
+      for (std::size_t i = 0; i < there.points.size(); ++i)
+        {
+          const auto  &x = there.points[i], &t = slanted.points[i];
+          const double along = h * (x[0] + x[1]);
+          EXPECT_NEAR(t[0], 2 * h * along - x[0], 1e-14);
+          EXPECT_NEAR(t[1], 2 * h * along - x[1], 1e-14);
+          EXPECT_NEAR(t[2], -x[2], 1e-14);
+        }
+      for (const std::string motion : {"1, 2\n", "0, 0, 0\n1, 2, 3\n", "0, 0, 0\n1, 0, 0, 1, 0, 1, 5\n0, 0, 0\n"})
+        EXPECT_NE(test::refusal_of(assembled(motion)).find("of the motion of an instance has"), std::string::npos) << motion;
+      EXPECT_NE(test::refusal_of(assembled("0, 0, 0\n1, 0, 0, 1, 0, 0, 5\n")).find("both points of the axis"), std::string::npos);
+      EXPECT_NE(test::refusal_of(assembled("0, 0, zero\n")).find("\"zero\" stands where a number of a motion"), std::string::npos);
     }
 
     TEST(AbaqusFiles, NoDamageDoesAnyHarm)

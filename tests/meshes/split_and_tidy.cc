@@ -135,6 +135,36 @@ namespace myolines
       EXPECT_EQ(outer_faces(mesh).size(), 10u);
     }
 
+    /// Two cubes that share a face, an edge or a point.
+    TEST(Parts, EdgesAndPointsAreHinges)
+    {
+      for (const int shared : {4, 2, 1})
+        {
+          PlainMesh mesh = mixed(false);
+          mesh.cells.resize(1);
+          const double y = shared < 4 ? 1 : 0, z = shared < 2 ? 1 : 0;
+          for (int i = 0; i < 8; ++i)
+            mesh.points.push_back({{mesh.points[i][0] + 1, mesh.points[i][1] + y, mesh.points[i][2] + z}});
+          mesh.cells.push_back({Shape::hexahedron, 1, {{11, 12, 13, 14, 15, 16, 17, 18}}});
+          EXPECT_EQ(tidy(mesh).joined, static_cast<std::size_t>(shared));
+          EXPECT_EQ(parts_of(mesh).size(), 1u);
+          EXPECT_EQ(parts_without_common_faces(mesh).size(), shared == 4 ? 1u : 2u);
+          EXPECT_TRUE(unfitting_faces(mesh).empty());
+        }
+    }
+
+    /// On the square top of the cube two tetrahedra, whose triangles are no face of the cube; a pyramid there fits.
+    TEST(Parts, TrianglesOnAQuadrilateralDoNotFit)
+    {
+      PlainMesh mesh = mixed(false);
+      mesh.cells.push_back({Shape::tetrahedron, 1, {{4, 5, 6, 10}}});
+      mesh.cells.push_back({Shape::tetrahedron, 1, {{4, 6, 7, 10}}});
+      EXPECT_EQ(parts_of(mesh).size(), 1u);
+      EXPECT_EQ(parts_without_common_faces(mesh).size(), 2u);
+      EXPECT_EQ(unfitting_faces(mesh).size(), 2u);
+      EXPECT_TRUE(unfitting_faces(mixed(true)).empty());
+    }
+
     /// A surface that was meshed apart has copies of the points; a face that lies nowhere on the cells has others, and a point far away
     /// says nothing of how near points of one place are.
     TEST(Tidy, SurfacesGetThePointsOfTheCells)

@@ -82,6 +82,37 @@ TEST(StudyProgram, KilledAndRunAgainGivesTheSameTable)
   EXPECT_LE(count(contents(folder / "killed/study.log"), "6 cases, 0 of them known"), 1u);
 }
 
+/// Repeats change nothing but seconds.csv, which has medians and spreads then; a name that repeats would take is refused.
+TEST(StudyProgram, RepeatsHaveMedianAndSpread)
+{
+  const StudyFolder folder;
+  folder.write_study(grid("all", methods + steps), error);
+  ASSERT_EQ(run_program(folder, "study study.xml --out once").exit_code, 0);
+  const ::Outcome outcome = run_program(folder, "study study.xml --out out --set repeats=3");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("6 cases: 6 done"), std::string::npos) << outcome.out;
+  EXPECT_EQ(count(contents(folder / "out/study.log"), "  done  "), 18u);
+  EXPECT_EQ(contents(folder / "out/study.csv"), contents(folder / "once/study.csv"));
+  const auto seconds = read_csv(folder / "out/seconds.csv");
+  ASSERT_EQ(seconds->rows.size(), 6u);
+  const auto number = [&](const std::size_t row, const std::string &column) {
+    return std::stod(seconds->rows[row][seconds->column(column).value()]);
+  };
+  for (std::size_t row = 0; row < 6; ++row)
+    {
+      EXPECT_EQ(number(row, "runs"), 3);
+      EXPECT_GT(number(row, "CPU [s]"), 0);
+      EXPECT_GT(number(row, "spread of wall clock [s]"), 0);
+    }
+  EXPECT_FALSE(read_csv(folder / "once/seconds.csv")->column("runs").has_value());
+  EXPECT_EQ(run_program(folder, "plot out").exit_code, 0);
+
+  folder.write_study(grid("all", steps) + grid("others", listed("step", "time/step", "0.1") + groups("repeat", {{"2", "system/mass=2"}})));
+  const ::Outcome refused = run_program(folder, "study study.xml --out twice --set repeats=2");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("step=0.1,repeat=2"), std::string::npos) << refused.err;
+}
+
 TEST(StudyProgram, PartsAreTakenTogether)
 {
   const StudyFolder folder;

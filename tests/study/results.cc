@@ -117,6 +117,62 @@ TEST(Results, EqualErrorAlongTwoAxes)
   EXPECT_NEAR(costs[1].work.value.value(), 100, 1e-10);
 }
 
+/// Of three runs: the median and the range of their seconds; counts that are not the same are no number; a repeat that is not done is told.
+TEST(Results, RepeatsAreTakenTogether)
+{
+  const StudyFolder folder;
+  const std::string quantities =
+      section("quantities", section("solves", parameter("type", "count") + parameter("name", "linear solves")) +
+                                section("in residual", parameter("type", "seconds") + parameter("name", "residual")));
+  const Study study = folder.study(grid("all", steps), parameter("repeats", "3", "int") + quantities);
+  const auto  cases = expand(study);
+  ASSERT_EQ(cases.size(), 9u);
+  EXPECT_EQ(cases[3].name, "step=0.1,repeat=2"); // after all points: not at one time with the first
+  EXPECT_EQ(cases[3].settings, cases[0].settings);
+  std::vector<Row> rows = rows_with(cases, {{5, 0.3}, {5, 1}, {5, 1}, {5, 0.7}, {5, 1}, {6, 1}, {5, 0.2}, {5, 1}, {5, 1}});
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      rows[i].outcome.wall_seconds = static_cast<double>(i);
+      rows[i].outcome.cpu_seconds  = 10. - static_cast<double>(i * i);
+    }
+  rows[4].outcome.status = "failed";
+  rows[4].outcome.reason = "no room";
+  rows[4].values         = {{}, {}};
+  take_repeats_together(study, rows);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0].values[0].value.value(), 5);
+  EXPECT_EQ(rows[0].values[1].value.value(), 0.3);
+  EXPECT_EQ(rows[0].spread.values[1].value(), 0.7 - 0.2);
+  EXPECT_EQ(rows[0].outcome.wall_seconds, 3);
+  EXPECT_EQ(rows[0].spread.wall.value(), 6);
+  EXPECT_EQ(rows[0].outcome.cpu_seconds.value(), 1);
+  EXPECT_EQ(rows[0].spread.cpu.value(), 36);
+  EXPECT_EQ(rows[0].spread.runs, 3u);
+  EXPECT_EQ(rows[1].outcome.status, "failed");
+  EXPECT_EQ(rows[1].outcome.reason, "step=0.05,repeat=2: no room");
+  EXPECT_FALSE(rows[1].values[0].value.has_value());
+  EXPECT_FALSE(rows[2].values[0].value.has_value());
+  EXPECT_EQ(rows[2].values[0].note, "repeats differ: 5 and 6");
+  EXPECT_EQ(rows[2].values[1].value.value(), 1);
+}
+
+/// Of two runs, one that went on from a checkpoint and has no CPU seconds, and one that is still open.
+TEST(Results, RepeatsThatAreMissing)
+{
+  const StudyFolder folder;
+  const Study       study     = folder.study(grid("all", listed("step", "time/step", "0.1")), parameter("repeats", "3", "int") + error);
+  const auto        cases     = expand(study);
+  std::vector<Row>  rows      = rows_with(cases, {{5, 1}, {5, 1}, {5, 1}});
+  rows[0].outcome.cpu_seconds = 2;
+  rows[2].outcome.status      = "open";
+  take_repeats_together(study, rows);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].outcome.status, "done");
+  EXPECT_EQ(rows[0].outcome.cpu_seconds.value(), 2);
+  EXPECT_FALSE(rows[0].spread.cpu.has_value());
+  EXPECT_EQ(rows[0].spread.runs, 2u);
+}
+
 TEST(Results, ClassesFollowTheRules)
 {
   study::View view;

@@ -26,6 +26,12 @@ namespace myolines
   /// A cell of each part of the mesh that has no point in common with the others.
   std::vector<std::size_t> parts_of(const PlainMesh &mesh);
 
+  /// A cell of each part that has no face in common with the others: what it shares with them are edges and points, which are hinges.
+  std::vector<std::size_t> parts_without_common_faces(const PlainMesh &mesh);
+
+  /// Triangles of the boundary that lie on half of a quadrilateral of it: cells meet there that do not fit each other.
+  std::vector<PlainMesh::Element> unfitting_faces(const PlainMesh &mesh);
+
   /// Points that lie on a face of the boundary and are no corner of it: cells meet there that do not fit each other.
   std::vector<PlainMesh::Position> hanging_points(const PlainMesh &mesh);
 } // namespace myolines

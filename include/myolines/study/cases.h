@@ -16,7 +16,8 @@ namespace myolines::study
     {
       reference,
       cross_check,
-      point ///< of a grid
+      point, ///< of a grid
+      repeat ///< a point once more, for its seconds
     };
 
     std::string                      name; ///< stable: made of the axes and labels alone; a file name
@@ -24,13 +25,15 @@ namespace myolines::study
     std::map<std::string, AxisPoint> coordinates; ///< axis -> point
     std::vector<std::string>         settings;    ///< "path=value", in the order in which they are applied
     std::string                      reference;   ///< name of the case that this one is measured against; "" for none
+    std::string                      repeated;    ///< name of the point that a repeat is of
   };
 
-  /// "reference", "cross check", "case".
+  /// "reference", "cross check", "case", "repeat".
   std::string role_name(Case::Role role);
 
   /// All cases: the references that the points need, their cross checks, then the points in the order of the grids, the last
-  /// axis running fastest. @throws InputError if two points have the same name.
+  /// axis running fastest; then all points again for each repeat, so that a machine that is busy for a while spoils no median. @throws
+  /// InputError if two points have the same name.
   std::vector<Case> expand(const Study &study);
 
   /// "method=hht_0.1,step=0.01" of {{"method", "hht 0.1"}, {"step", "0.01"}}: letters, digits and . _ + - only, at most 120

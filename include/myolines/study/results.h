@@ -12,19 +12,35 @@
 
 namespace myolines::study
 {
+  /// Of the runs of one case: greatest minus least [s]; no number of a single run.
+  struct Spread
+  {
+    std::size_t                        runs = 1; ///< that are done
+    std::optional<double>              cpu, wall;
+    std::vector<std::optional<double>> values; ///< of quantities that are seconds, in their order
+  };
+
   /// What was found for one case.
   struct Row
   {
     const Case           *which = nullptr; ///< borrowed
-    Outcome               outcome;         ///< of status "open" if the case has not ended
+    Outcome               outcome;         ///< of status "open" if the case has not ended; its seconds are medians of the repeats
     std::vector<Measured> values;          ///< of the quantities, in their order; none if the case is not done
     std::vector<Measured> rates;           ///< observed orders of the same, in a study of convergence
     std::string           stability;       ///< class, in a stability map
+    Spread                spread;          ///< of the repeats
   };
 
-  /// Measures all cases that are done, from their folders in @p study_folder. @p cases outlives the rows.
+  /// Measures all cases that are done, from their folders in @p study_folder; a row for each but repeats. @p cases outlives the rows.
   std::vector<Row> evaluate(const Study &study, const std::vector<Case> &cases, const std::map<std::string, Outcome> &outcomes,
                             const std::filesystem::path &study_folder);
+
+  /// Note of a quantity that is not the same in all repeats.
+  inline const std::string repeats_differ = "repeats differ";
+
+  /// Makes one row of each point and its repeats: seconds become medians, with their spread. A quantity whose values differ has none, with
+  /// a note; if one of the runs is not done, the case is not.
+  void take_repeats_together(const Study &study, std::vector<Row> &rows);
 
   /// How the signal of a stability map behaves beside that of the reference.
   struct SignalMeasures

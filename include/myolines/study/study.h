@@ -114,6 +114,7 @@ namespace myolines::study
     std::vector<std::string>   settings;
     bool                       resumes = false; ///< interrupted cases go on from their checkpoints
     unsigned int               ranks   = 1;     ///< MPI ranks of each run
+    unsigned int               repeats = 1;     ///< runs of each case, whose seconds are told as median and spread
     double                     case_seconds, total_seconds;
     std::vector<Grid>          grids;
     std::optional<Reference>   reference, cross_check;
