@@ -97,27 +97,27 @@ namespace myolines
   {
     const std::filesystem::path file = folder.file("manifest.json");
     Json                        manifest;
-    manifest["program"]      = "myolines";
-    manifest["version"]      = version;
-    manifest["git hash"]     = *git_hash == '\0' ? Json(nullptr) : Json(git_hash);
-    manifest["build"]        = build_type();
-    manifest["compiler"]     = __VERSION__;
-    manifest["libraries"]    = json_object(library_versions());
-    manifest["ranks"]        = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-    manifest["host"]         = {{"name", host_name()}, {"CPU", cpu_model()}, {"hardware threads", std::thread::hardware_concurrency()}};
+    manifest["program"]         = "myolines";
+    manifest["version"]         = version;
+    manifest["git hash"]        = *git_hash == '\0' ? Json(nullptr) : Json(git_hash);
+    manifest["build"]           = build_type();
+    manifest["compiler"]        = __VERSION__;
+    manifest["libraries"]       = json_object(library_versions());
+    manifest["ranks"]           = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    manifest["host"]            = {{"name", host_name()}, {"CPU", cpu_model()}, {"hardware threads", std::thread::hardware_concurrency()}};
     manifest["instruction set"] = record.instruction_set;
-    manifest["command line"] = record.command_line;
-    manifest["scene"]        = record.scene;
-    manifest["started"]      = record.started;
-    manifest["finished"]     = iso8601_now();
-    manifest["resumed"]      = record.resumed.empty() ? Json(nullptr) : Json(record.resumed);
-    manifest["exit reason"]  = exit_reason;
-    manifest["energy"]       = record.energy ? energy_json(*record.energy) : Json(nullptr);
-    manifest["plan"]         = record.plan;
-    manifest["warnings"]     = record.warnings;
-    manifest["inputs"]       = Json(record.inputs); // with their CRC-32
-    manifest["files"]        = folder.noted();
-    const std::string text   = json_text(manifest);
+    manifest["command line"]    = record.command_line;
+    manifest["scene"]           = record.scene;
+    manifest["started"]         = record.started;
+    manifest["finished"]        = iso8601_now();
+    manifest["resumed"]         = record.resumed.empty() ? Json(nullptr) : Json(record.resumed);
+    manifest["exit reason"]     = exit_reason;
+    manifest["energy"]          = record.energy ? energy_json(*record.energy) : Json(nullptr);
+    manifest["plan"]            = record.plan;
+    manifest["warnings"]        = record.warnings;
+    manifest["inputs"]          = Json(record.inputs); // with their CRC-32
+    manifest["files"]           = folder.noted();
+    const std::string text      = json_text(manifest);
     try
       {
         replace_file(file, text);

@@ -24,7 +24,7 @@ namespace myolines
     std::map<std::string, std::string> inputs;             ///< files that it reads, with their checksums (CRC-32)
     std::optional<EnergyReport>        energy;             ///< none: nobody looked at it
     std::vector<std::string>           plan{}, warnings{}; ///< what it computes and skips, and what was told before it began
-    std::string                        instruction_set{};      ///< of the cell kernels
+    std::string                        instruction_set{};  ///< of the cell kernels
   };
 
   /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, input files, files noted in @p folder, exit reason;
