@@ -73,7 +73,7 @@ namespace myolines
             row.push_back(stress(part, x));
           sheet.row(x, row);
         }
-      pictures.push_back(sheet.picture());
+      pictures.push_back(sheet.finish());
     };
     const std::vector<double> stretches = spaced(options.stretch, "--stretch", 0);
     for (const int axis : {0, 1})

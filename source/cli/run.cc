@@ -167,7 +167,7 @@ namespace myolines
   void run_command(const RunOptions &options, std::ostream &out)
   {
     const StopSignals           signals; // one that comes before the first step ends the run there, with a state to go on from
-    RunRecord                   record{options.command_line, "", iso8601_now(), "", {}, {}, ""};
+    RunRecord                   record{options.command_line, "", iso8601_now(), "", {}, {}};
     Experiment                  experiment(read_whole_scene(options.scene, options.overrides), chosen_set(options));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     const std::string           resolved = scene::resolved_xml(experiment.scene());

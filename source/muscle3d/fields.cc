@@ -127,12 +127,14 @@ namespace myolines
            }},
           {"passive stress", "Pa",
            [](const Parameters &m, const Activation &a, const PointState &p) {
-             return cauchy(stress_parts(m, a, p)[passive_fibre_part(p.material_id)], p).norm();
+             return size_of(passive_fibre_part(p.material_id), stress_parts(m, a, p), p);
            }},
           {"base stress", "Pa",
            [](const Parameters &m, const Activation &a, const PointState &p) {
-             return cauchy(stress_parts(m, a, p)[base_part(p.material_id)], p).norm();
+             return size_of(base_part(p.material_id), stress_parts(m, a, p), p);
            }},
+          {"law stress", "Pa",
+           [](const Parameters &m, const Activation &a, const PointState &p) { return size_of_laws(stress_parts(m, a, p), p); }},
           {"tissue", "", [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_tissue]; }},
           {"maximum isometric stress", "Pa",
            [](const Parameters &, const Activation &, const PointState &p) { return p.material[material_passive]; }},

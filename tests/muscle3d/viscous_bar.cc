@@ -21,38 +21,18 @@ namespace myolines
       throw std::logic_error("no law " + kind);
     }
 
-    /// strain = rate t
-    class Ramp : public Drive
-    {
-    public:
-      explicit Ramp(const double rate)
-        : rate_(rate)
-      {}
-      double              value(double t, Side) const override { return rate_ * t; }
-      double              first_derivative(double, Side) const override { return rate_; }
-      double              second_derivative(double, Side) const override { return 0; }
-      std::vector<double> kinks(double, double) const override { return {}; }
-
-    private:
-      double rate_;
-    };
-
     /// A bar of c1, pulled at a constant rate: at constant volume P_11 = 2 c1 (l - l^-2) + (3 eta + eta_f) l-dot/l^2.
     TEST(ViscousBar, PulledSteadilyHasThreeTimesTheViscosity)
     {
       const double       rate = 0.5, end = 0.4, c1 = 2e4, stretch = 1 + rate * end, eta = 2e4, of_fibres = 3e4;
-      Muscle3dParameters p       = test::bar({test::condition(test::Type::symmetry, 0)});
+      Muscle3dParameters p       = test::bar({test::condition("symmetry plane", 0)});
       p.dynamic                  = true;
       p.muscle().base            = {1, {c1, 0, 0}};
       p.muscle().bulk_modulus    = 1e9;
       p.muscle().fibre.direction = {{1, 0, 0}};
       p.muscle().laws            = {dashpot("viscosity", {"shear viscosity=2e4"}), dashpot("fibre viscosity", {"viscosity=3e4"})};
-      BoundaryCondition pull     = test::held(1, true, false, false);
-      pull.name                  = "pulled";
-      pull.type                  = BoundaryCondition::Type::strain;
-      pull.reference_length      = 0.03;
-      pull.strain                = std::make_shared<Ramp>(rate);
-      p.boundary.push_back(pull);
+      p.boundary.push_back(
+          test::condition("formula", 1, {"components=x", "displacement x=0.5*x*t", "velocity x=0.5*x", "acceleration x=0"}, "pulled"));
       p.initial.velocity = std::array<std::string, 3>{{"0.5*x", "-0.25*y", "-0.25*z"}};
       test::Simulation bar(p);
       bar.go("sdirk3", 64, end, [](const State &) {});
@@ -81,12 +61,8 @@ namespace myolines
       p.muscle().fibre.sigma0 = 0;
       p.muscle().base         = {1, {c1, 0, 0}};
       p.muscle().laws         = {dashpot("viscosity", {"shear viscosity=100"})};
-      p.boundary              = {test::held(0),
-                                 test::held(1, true, false, true),
-                                 test::held(2, true, false, true),
-                                 test::held(3, true, false, true),
-                                 test::held(4, true, false, true),
-                                 test::held(5, true, false, true)};
+      p.boundary              = {test::held(0),        test::held(1, "x z"), test::held(2, "x z"),
+                                 test::held(3, "x z"), test::held(4, "x z"), test::held(5, "x z")};
       p.initial.velocity      = std::array<std::string, 3>{{"0", "1e-7*sin(pi/2*x/0.03)", "0"}};
       return p;
     }

@@ -51,6 +51,7 @@ namespace
                 ledger,
                 "<scene/>",
                 {{"muscle.msh", "0123abcd"}},
+                "baseline",
                 [this] { ++forgotten; },
                 [this] { return signal; }},
                folder.path)

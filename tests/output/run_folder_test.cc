@@ -67,7 +67,7 @@ TEST(RunFolder, OldResultsThatTheRunReadsStay)
   for (const bool overwrite : {false, true})
     for (const char *scene : {"scene", "other scene"})
       {
-        const RunRecord   record{"", scene, "", "", {{(folder.path / "." / "strain.csv").string(), "checksum"}}, {}, ""};
+        const RunRecord   record{"", scene, "", "", {{(folder.path / "." / "strain.csv").string(), "checksum"}}, {}};
         const std::string told = complaint([&] { place.begin(scene, overwrite, record); });
         EXPECT_NE(told.find("reads the file strain.csv there"), std::string::npos) << told;
       }

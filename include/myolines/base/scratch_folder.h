@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+
+namespace myolines
+{
+  /// A folder of its own among the temporary ones, which no other user can read; it vanishes with the object.
+  class ScratchFolder
+  {
+  public:
+    ScratchFolder(); ///< @throws SystemError
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder &)            = delete;
+    ScratchFolder &operator=(const ScratchFolder &) = delete;
+
+    const std::filesystem::path &path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+  };
+} // namespace myolines
