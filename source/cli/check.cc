@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/names.h>
 #include <myolines/base/scratch_folder.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
+#include <myolines/cli/plugins.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -25,6 +27,12 @@ namespace myolines
       if (derived)
         for (const std::string &line : derived(experiment.scene().section("integrator")))
           out << "  " << line << "\n";
+    }
+
+    void print_plugins(std::ostream &out)
+    {
+      for (const Plugin &plugin : plugins())
+        out << "Plug-in: " << plugin.name << ", " << join(plugin.brings) << "\n  " << plugin.file.string() << "\n";
     }
 
     /// Outputs that cost nothing because the scene does not ask for them.
@@ -98,7 +106,7 @@ namespace myolines
   {
     const Experiment    experiment(read_whole_scene(scene, overrides));
     const ScratchFolder scratch;
-    experiment.assembled().make_outputs(experiment.scene().section("output"), scratch.path());
+    experiment.make_outputs(scratch.path());
 
     out << "The scene is valid. Resolved, with every value in force:\n\n" << scene::resolved_xml(experiment.scene()) << "\n";
     const std::string type = experiment.scene().section("system").text("type");
@@ -113,6 +121,7 @@ namespace myolines
       out << "  " << line << "\n";
     for (const std::string &line : memory_lines(experiment.scene()))
       out << "  " << line << "\n";
+    print_plugins(out);
     print_method(experiment, out);
     print_first_guesses(experiment, out);
     print_steps(experiment, out);

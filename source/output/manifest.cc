@@ -113,6 +113,7 @@ namespace myolines
     manifest["exit reason"]  = exit_reason;
     manifest["energy"]       = record.energy ? energy_json(*record.energy) : Json(nullptr);
     manifest["inputs"]       = Json(record.inputs); // with their CRC-32
+    manifest["plug-ins"]     = Json(record.plugins);
     manifest["files"]        = folder.noted();
     const std::string text   = json_text(manifest);
     try

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace myolines
 {
@@ -22,6 +23,9 @@ namespace myolines
     std::string                        resumed; ///< from what; "" if the run began at its start
     std::map<std::string, std::string> inputs;  ///< files that it reads, with their checksums (CRC-32)
     std::optional<EnergyReport>        energy;  ///< none: nobody looked at it
+
+    /// What plug-ins bring ("integrator houbolt"), by their files, which are among the inputs.
+    std::map<std::string, std::vector<std::string>> plugins = {};
   };
 
   /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, input files, files noted in @p folder, exit reason;
