@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # What `cmake --install` copies, and the Debian packages that `cpack` makes of it. Component runtime: program, library, manual page,
 # completion, scenes, pages, licence. Component development: headers, package configuration, name of the library for linkers.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # One library of all rooms, with the symbols of our name space alone: what it has of templates of others stays inside. The program
 # has the rooms inside and does not need it: it runs wherever it is copied to.
-get_property(rooms GLOBAL PROPERTY MYOLINES_ROOMS)
 add_library(myolines_library SHARED)
 foreach(room ${rooms})
   target_sources(myolines_library PRIVATE $<TARGET_OBJECTS:myolines_${room}>)
@@ -41,10 +39,21 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/doc DESTINATION ${CMAKE_INSTALL_DOCDIR} CO
 # find_package(Myolines)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Myolines)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/MyolinesConfig.cmake.in ${CMAKE_BINARY_DIR}/MyolinesConfig.cmake
-  INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_DATADIR)
+  INSTALL_DESTINATION ${package_folder} PATH_VARS CMAKE_INSTALL_BINDIR CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_DATADIR)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/MyolinesConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/MyolinesConfig.cmake ${CMAKE_BINARY_DIR}/MyolinesConfigVersion.cmake DESTINATION ${package_folder}
+install(FILES ${CMAKE_BINARY_DIR}/MyolinesConfig.cmake ${CMAKE_BINARY_DIR}/MyolinesConfigVersion.cmake ${CMAKE_BINARY_DIR}/MyolinesHeaders.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/MyolinesPlugin.cmake ${CMAKE_CURRENT_LIST_DIR}/MyolinesSuite.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/plugin_source.cc.in
+  DESTINATION ${package_folder} COMPONENT development)
+
+# The suite for methods of one's own, in the folders that its includes expect.
+set(suite ${CMAKE_INSTALL_DATADIR}/myolines/suite)
+foreach(file cases.h closed_forms.cc contract.cc error_control.cc exact.h experiment.h measured.h verification.cc)
+  install(FILES ${CMAKE_SOURCE_DIR}/tests/integrators/${file} DESTINATION ${suite}/integrators COMPONENT development)
+endforeach()
+install(FILES ${CMAKE_SOURCE_DIR}/tests/support/drives.h ${CMAKE_SOURCE_DIR}/tests/support/solvers.h DESTINATION ${suite}/support
   COMPONENT development)
+install(FILES ${CMAKE_SOURCE_DIR}/tests/test_main.cc DESTINATION ${suite} COMPONENT development)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Myolines developers")
@@ -63,5 +72,6 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "openmpi-bin, gnuplot-nox | gnuplot, libopenblas0, libjs-three, libjs-chart.js")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmyolines-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS libgtest-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "myolines (= ${PROJECT_VERSION}), libdeal.ii-dev, trilinos-all-dev, libsundials-dev, libopenmpi-dev")
 include(CPack)

@@ -2,6 +2,7 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/cli/catalogue.h>
+#include <myolines/cli/plugins.h>
 #include <myolines/muscle1d/isometric_chain.h>
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/muscle3d/body_facts.h>
@@ -181,7 +182,7 @@ namespace myolines
       return {n, n * sizeof(double) * (20 + 2 * (3 * rod.degree + 1)), 0, 0, true};
     }
 
-    std::vector<SystemEntry> make_catalogue()
+    std::deque<SystemEntry> make_catalogue()
     {
       const std::vector<scene::Setting> isometric{{"title", "Isometric contraction of a pennate block"},
                                                   {"system/geometry/refinement", "2"},
@@ -255,23 +256,27 @@ namespace myolines
     }
   } // namespace
 
-  const std::vector<SystemEntry> &system_catalogue()
+  Registry<SystemEntry> &system_catalogue()
   {
-    static const std::vector<SystemEntry> catalogue = make_catalogue();
+    static Registry<SystemEntry> catalogue("system", make_catalogue());
     return catalogue;
   }
 
   const SystemEntry &system_entry(const std::string &name, const std::string &where)
   {
+    if (const SystemEntry *entry = system_catalogue().find(name))
+      return *entry;
     std::vector<std::string> names;
     for (const SystemEntry &entry : system_catalogue())
-      {
-        if (entry.name == name)
-          return entry;
-        names.push_back(entry.name);
-      }
+      names.push_back(entry.name);
     throw InputError(
         InputProblem{where, "unknown system \"" + name + "\"", "one of " + join(names), nearest_hint(name, names, "nearest valid name")});
+  }
+
+  AssembledSystem make_system(const Node &scene, WorkLedger &ledger, const InstructionSet instruction_set)
+  {
+    const Node &system = scene.section("system");
+    return system_entry(system.text("type"), system.where("type")).make(system, ledger, instruction_set);
   }
 
   scene::Schema root_schema(const SystemEntry &output_of)
@@ -290,6 +295,7 @@ namespace myolines
 
     Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");
     root.text("title", "", "What this scene is about.")
+        .optional_text("plug-ins", "Plug-ins that it needs, by name, with blanks between; see: list plug-ins")
         .section("system", Schema("What is computed.").variant("type", std::nullopt, systems, "Kind of system."))
         .section("integrator", integrator_schema())
         .section("time", time_schema())
@@ -319,24 +325,23 @@ namespace myolines
       if (!chosen || chosen == scene::peek_text(file, "integrator/type"))
         return {};
       std::vector<scene::Preset> all;
-      for (const IntegratorEntry &entry : integrator_registry())
-        if (entry.facts.name == *chosen)
-          {
-            if (!entry.make)
-              all.push_back({"time/control/type", "error", entry.facts.name + " chooses its steps itself"});
-            else if ((entry.make_self_paced || entry.facts.solves == MethodFacts::Solves::linear_systems) && !choose_steps(overrides))
-              all.push_back(
-                  {"time/control/type", "error", "steps that were chosen for other methods may be too long for " + entry.facts.name});
-            if (!entry.facts.scheme_rates && scene::peek_text(file, "time/boundary rates", overrides) == "scheme")
-              all.push_back(
-                  {"time/boundary rates", "exact", entry.facts.name + " has no formulas of its own for the rates of a moving boundary"});
-          }
+      const IntegratorEntry     *entry = integrator_registry().find(*chosen);
+      if (entry == nullptr)
+        return all;
+      if (!entry->make)
+        all.push_back({"time/control/type", "error", *chosen + " chooses its steps itself"});
+      else if ((entry->make_self_paced || entry->facts.solves == MethodFacts::Solves::linear_systems) && !choose_steps(overrides))
+        all.push_back({"time/control/type", "error", "steps that were chosen for other methods may be too long for " + *chosen});
+      if (!entry->facts.scheme_rates && scene::peek_text(file, "time/boundary rates", overrides) == "scheme")
+        all.push_back({"time/boundary rates", "exact", *chosen + " has no formulas of its own for the rates of a moving boundary"});
       return all;
     }
   } // namespace
 
   scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides)
   {
+    if (const auto plugins = scene::peek_text(file, "plug-ins", overrides))
+      load_plugins(*plugins, file.string() + ": plug-ins");
     const auto        type  = scene::peek_text(file, "system/type", overrides);
     const std::string where = file.string() + ": system/type";
     if (!type)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/names.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
 #include <myolines/cli/plan.h>
+#include <myolines/cli/plugins.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -25,6 +27,12 @@ namespace myolines
       if (derived)
         for (const std::string &line : derived(experiment.scene().section("integrator")))
           out << "  " << line << "\n";
+    }
+
+    void print_plugins(std::ostream &out)
+    {
+      for (const Plugin &plugin : plugins())
+        out << "Plug-in: " << plugin.name << ", " << join(plugin.brings) << "\n  " << plugin.file.string() << "\n";
     }
 
     /// Where Newton's method starts, and what is tried where it fails.
@@ -118,6 +126,7 @@ namespace myolines
       out << "  " << line << "\n";
     for (const std::string &line : memory_lines(experiment.scene()))
       out << "  " << line << "\n";
+    print_plugins(out);
     print_method(experiment, out);
     print_first_guesses(experiment, out);
     print_steps(experiment, out);

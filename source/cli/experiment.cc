@@ -3,6 +3,7 @@
 #include <myolines/base/error.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
+#include <myolines/cli/plugins.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
 #include <myolines/system/file_drive.h>
@@ -61,8 +62,7 @@ namespace myolines
   Experiment::Experiment(scene::Node scene, const InstructionSet instruction_set)
     : scene_(feasible(std::move(scene)))
     , instruction_set_(instruction_set)
-    , assembled_(system_entry(scene_.section("system").text("type"), scene_.section("system").where("type"))
-                     .make(scene_.section("system"), ledger_, instruction_set))
+    , assembled_(make_system(scene_, ledger_, instruction_set))
     , method_(integrator_entry(scene_.section("integrator").text("type")))
     , settings_(loop_settings(scene_.section("time")))
     , linear_(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"), ledger_,
@@ -84,12 +84,41 @@ namespace myolines
     for (const std::filesystem::path &file : scene_.files())
       if (writes_files())
         inputs_[file.string()] = checksum_of_file(file);
+    for (const Plugin &plugin : plugins())
+      inputs_[plugin.file.string()] = plugin.checksum;
+  }
+
+  IntegratorContext Experiment::context()
+  {
+    const scene::Node &time = scene_.section("time");
+    return {*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time), error_norm_.get()};
+  }
+
+  Integrator &Experiment::integrator()
+  {
+    if (!integrator_)
+      throw std::logic_error("the method of this scene chooses its steps itself");
+    return *integrator_;
+  }
+
+  State Experiment::start()
+  {
+    const scene::Node &time  = scene_.section("time");
+    State              state = starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
+    if (starts_from_equilibrium(time))
+      find_equilibrium(state);
+    return state;
+  }
+
+  std::vector<std::unique_ptr<Observer>> Experiment::make_outputs(const OutputFolder &folder) const
+  {
+    return assembled_.make_outputs(scene_.section("output"), folder);
   }
 
   void Experiment::make_method()
   {
     const scene::Node      &time = scene_.section("time"), &integrator = scene_.section("integrator");
-    const IntegratorContext context{*assembled_.system, nonlinear_, boundary_rates(time), ledger_, start_velocity(time), error_norm_.get()};
+    const IntegratorContext context = this->context();
     if (error_norm_ && method_.make_self_paced)
       {
         const scene::Node &control = time.section("control");
@@ -212,11 +241,8 @@ namespace myolines
 
   void Experiment::run(const std::vector<Observer *> &observers, const std::filesystem::path &folder, const std::function<int()> &stop)
   {
-    signal_                 = stop;
-    const scene::Node &time = scene_.section("time");
-    State state = resumed_ ? *resumed_ : starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
-    if (!resumed_ && starts_from_equilibrium(time))
-      find_equilibrium(state);
+    signal_                = stop;
+    State            state = resumed_ ? *resumed_ : start();
     CheckpointKeeper keeper(scene_.section("output").section("checkpoint"),
                             {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_), inputs_,
                              name(instruction_set_), [this] { nonlinear_.forget(); }, [this] { return stop_signal(); }},

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/names.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/fit.h>
+#include <myolines/cli/plugins.h>
+
+#include <set>
 
 namespace myolines
 {
@@ -14,6 +18,10 @@ namespace myolines
     std::vector<scene::Setting> settings{{"system/type", system.name}, {"integrator/type", integrator.facts.name}};
     for (const std::vector<scene::Setting> &more : {system.example, variant.settings})
       settings.insert(settings.end(), more.begin(), more.end());
+    std::set<std::string> plugins{plugin_of("system " + system.name), plugin_of("integrator " + integrator.facts.name)};
+    plugins.erase("");
+    if (!plugins.empty())
+      settings.push_back({"plug-ins", join({plugins.begin(), plugins.end()}, " ")});
     if (!integrator.make)
       settings.push_back({"time/control/type", "error"});
     return settings;

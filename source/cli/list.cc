@@ -4,6 +4,7 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/fit.h>
+#include <myolines/cli/plugins.h>
 #include <myolines/materials/laws.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>
@@ -162,6 +163,16 @@ namespace myolines
       return items;
     }
 
+    Items plugin_items(const std::vector<std::pair<std::string, std::string>> &refused)
+    {
+      Items items;
+      for (const Plugin &plugin : plugins())
+        items.push_back({plugin.name, join(plugin.brings), "  file: " + plugin.file.string() + "\n"});
+      for (const auto &[name, why] : refused)
+        items.push_back({name, "refused: " + why, ""});
+      return items;
+    }
+
     using Topic = std::function<Items(const std::string &only)>;
 
     const std::vector<std::pair<std::string, Topic>> &topics()
@@ -176,6 +187,7 @@ namespace myolines
           {"profiles", all_of([] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); })},
           {"preconditioners", all_of([] { return alternatives(LinearSolver::preconditioner_schema()); })},
           {"outputs", all_of(outputs)},
+          {"plug-ins", all_of([] { return plugin_items(load_all_plugins()); })},
           {"studies", all_of(studies)}};
       return all;
     }
@@ -186,11 +198,12 @@ namespace myolines
                                     nearest_hint(name, known, "nearest valid name")});
     }
 
-    /// Of the methods that take every system and estimate their errors, the one of highest order (doc/which_method.md).
+    /// Of the built-in methods that take every system and estimate their errors, the one of highest order (doc/which_method.md).
     const IntegratorEntry &method_to_begin_with()
     {
       const auto fits = [](const MethodFacts &facts) {
-        return facts.unknowns == MethodFacts::Unknowns::every_order && facts.error_exponent > 0 && facts.estimates_velocity;
+        return facts.unknowns == MethodFacts::Unknowns::every_order && facts.error_exponent > 0 && facts.estimates_velocity &&
+               plugin_of("integrator " + facts.name).empty();
       };
       const auto &all = integrator_registry();
       return *std::max_element(all.begin(), all.end(), [&](const IntegratorEntry &left, const IntegratorEntry &right) {
@@ -215,6 +228,7 @@ namespace myolines
 
   void list_command(const std::string &topic, const std::string &name, std::ostream &out)
   {
+    load_all_plugins();
     for (const auto &[known, make_items] : topics())
       if (known == topic)
         {
@@ -232,6 +246,7 @@ namespace myolines
 
   void template_command(const std::string &system, const std::string &integrator, std::ostream &out)
   {
+    load_all_plugins();
     const SystemEntry             &entry   = system_entry(system, "command line");
     const std::vector<std::string> methods = names_of(integrator_registry(), [](const IntegratorEntry &e) { return e.facts.name; });
     if (!integrator.empty() && std::find(methods.begin(), methods.end(), integrator) == methods.end())

@@ -9,6 +9,7 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/guarded.h>
 #include <myolines/cli/manual.h>
+#include <myolines/cli/plugins.h>
 #include <myolines/cli/point.h>
 #include <myolines/cli/program.h>
 #include <myolines/cli/versions.h>
@@ -69,9 +70,10 @@ namespace myolines
         });
       }
 
-      CLI::App              app{"Myolines: muscle dynamics, one system and one integrator at a time", "myolines"};
-      std::function<void()> chosen;
-      RunOptions            run;
+      CLI::App                           app{"Myolines: muscle dynamics, one system and one integrator at a time", "myolines"};
+      std::function<void()>              chosen;
+      RunOptions                         run;
+      std::vector<std::filesystem::path> plugins; ///< to be loaded first
 
     private:
       CLI::App *add(CLI::App &parent, const std::string &name, const std::string &doc, std::function<void()> action)
@@ -79,6 +81,20 @@ namespace myolines
         CLI::App *command = parent.add_subcommand(name, doc);
         command->callback([this, action] { chosen = action; });
         return command;
+      }
+
+      /// Of commands that look at one scene; studies start programs, and their scenes name plug-ins.
+      void add_plugins(CLI::App *command)
+      {
+        command->add_option("--plugin", plugins, "Loads a plug-in from this file; may be repeated")
+            ->allow_extra_args(false)
+            ->type_name("NAME.so");
+      }
+
+      void add_scene_options(CLI::App *command)
+      {
+        add_plugins(command);
+        add_overrides(command);
       }
 
       void add_overrides(CLI::App *command)
@@ -114,7 +130,7 @@ namespace myolines
                 "--instruction-set", run.instruction_set,
                 "Of the kernels of three-dimensional muscles: baseline, avx2 or avx512; default: the widest that the processor has")
             ->type_name("NAME");
-        add_overrides(command);
+        add_scene_options(command);
       }
 
       void add_check()
@@ -123,7 +139,7 @@ namespace myolines
                                 [this] { check_command(run.scene, run.overrides, brief_, out_); });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
         command->add_flag("--brief", brief_, "Unknowns, steps, memory, cost and warnings only; takes some steps to tell the cost");
-        add_overrides(command);
+        add_scene_options(command);
       }
 
       void add_mesh()
@@ -132,7 +148,7 @@ namespace myolines
             add(app, "mesh", "Writes the mesh of a scene to a file", [this] { mesh_command(run.scene, run.overrides, mesh_, out_); });
         command->add_option("scene", run.scene, "A scene of a three-dimensional muscle")->required()->type_name("SCENE.xml");
         command->add_option("--out", mesh_, "The file: VTK (.vtu) or Gmsh (.msh)")->required()->type_name("FILE");
-        add_overrides(command);
+        add_scene_options(command);
       }
 
       void add_modes()
@@ -166,7 +182,7 @@ namespace myolines
             ->check(at_least_one())
             ->needs(along)
             ->capture_default_str();
-        add_overrides(command);
+        add_scene_options(command);
       }
 
       void add_point()
@@ -182,7 +198,7 @@ namespace myolines
             ->capture_default_str()
             ->type_name("FROM TO POINTS");
         command->add_option("--activation", point_.activation, "Activations")->capture_default_str()->type_name("NUMBER ...");
-        add_overrides(command);
+        add_scene_options(command);
       }
 
       void add_study()
@@ -279,6 +295,7 @@ namespace myolines
             add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] { list_command(topic_, name_, out_); });
         command->add_option("topic", topic_, join(list_topics()))->required()->type_name("TOPIC");
         command->add_option("name", name_, "Everything about this one")->type_name("NAME");
+        add_plugins(command);
       }
 
       void add_template()
@@ -287,6 +304,7 @@ namespace myolines
             add(app, "template", "Prints a complete, commented scene to start from", [this] { template_command(topic_, name_, out_); });
         command->add_option("system", topic_, "Kind of system, see: list systems")->required()->type_name("SYSTEM");
         command->add_option("integrator", name_, "Method, see: list integrators")->type_name("INTEGRATOR");
+        add_plugins(command);
       }
 
       void add_import()
@@ -359,8 +377,13 @@ namespace myolines
       {
         return static_cast<int>(flushed(refuse_command_line(line.app, error, argc, argv, out, err)));
       }
-    line.run.command_line = shell_text(std::vector<std::string>(argv, argv + argc));
-    line.run.program      = argv[0];
-    return static_cast<int>(flushed(guarded(line.chosen, err)));
+    line.run.command_line           = shell_text(std::vector<std::string>(argv, argv + argc));
+    line.run.program                = argv[0];
+    const auto command_with_plugins = [&line] {
+      for (const std::filesystem::path &file : line.plugins)
+        load_plugin(file, "command line: --plugin " + file.string());
+      line.chosen();
+    };
+    return static_cast<int>(flushed(guarded(command_with_plugins, err)));
   }
 } // namespace myolines

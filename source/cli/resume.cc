@@ -37,7 +37,7 @@ namespace myolines
       for (const char *free : {"output/", "solver/", "time/control/"})
         if (path.rfind(free, 0) == 0)
           return true;
-      return path == "title" || path == "time/end" || path == "time/step" || path == "time/steps";
+      return path == "title" || path == "plug-ins" || path == "time/end" || path == "time/step" || path == "time/steps";
     }
 
     std::string shown(const Values &values, const std::string &path)

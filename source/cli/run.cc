@@ -7,6 +7,7 @@
 #include <myolines/cli/core_share.h>
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/plan.h>
+#include <myolines/cli/plugins.h>
 #include <myolines/cli/resume.h>
 #include <myolines/cli/stop_signals.h>
 #include <myolines/output/csv_file.h>
@@ -51,7 +52,7 @@ namespace myolines
     void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally, Outputs &outputs,
                           const std::function<void()> &files_are_known, const StopSignals &signals)
     {
-      outputs = experiment.assembled().make_outputs(experiment.scene().section("output"), folder);
+      outputs = experiment.make_outputs(folder);
       outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
       outputs.push_back(make_steps_file(folder));
       files_are_known();
@@ -176,6 +177,8 @@ namespace myolines
     record.instruction_set               = name(experiment.instruction_set());
     record.plan                          = plan_of(experiment);
     record.warnings                      = experiment.warnings();
+    for (const Plugin &plugin : plugins())
+      record.plugins[plugin.file.string()] = plugin.brings;
     if (writes_files())
       record.inputs[options.scene.string()] = checksum_of_file(options.scene);
 

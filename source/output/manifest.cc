@@ -115,6 +115,7 @@ namespace myolines
     manifest["energy"]          = record.energy ? energy_json(*record.energy) : Json(nullptr);
     manifest["plan"]            = record.plan;
     manifest["warnings"]        = record.warnings;
+    manifest["plug-ins"]        = Json(record.plugins);
     manifest["inputs"]          = Json(record.inputs); // with their CRC-32
     manifest["files"]           = folder.noted();
     const std::string text      = json_text(manifest);

@@ -35,21 +35,21 @@ namespace myolines
       double      t; ///< [s]
       std::size_t variant;
     };
-    using Instants = std::vector<Instant>;
+    using WrittenInstants = std::vector<Instant>;
 
     /// A format writes the fields of one more instant and lists all in a file for ParaView.
     class Format
     {
     public:
       virtual ~Format()                                                                    = default;
-      virtual void write(const FieldOutput &output, const State &state, Instants &written) = 0;
+      virtual void write(const FieldOutput &output, const State &state, WrittenInstants &written) = 0;
     };
 
     /// fields-NNNN.vtu and fields.pvd; variant 1: fields_NNNN.pvtu, written by several ranks.
     class Vtu : public Format
     {
     public:
-      void write(const FieldOutput &output, const State &state, Instants &written) override
+      void write(const FieldOutput &output, const State &state, WrittenInstants &written) override
       {
         const auto        number = static_cast<unsigned int>(written.size());
         const std::string file   = write_fields_vtu(output.system, state, output.names, output.folder.string(), number);
@@ -66,7 +66,7 @@ namespace myolines
     class Hdf5 : public Format
     {
     public:
-      void write(const FieldOutput &output, const State &state, Instants &written) override
+      void write(const FieldOutput &output, const State &state, WrittenInstants &written) override
       {
         const std::size_t number = written.size();
         const bool        first  = !mesh_;
@@ -80,7 +80,7 @@ namespace myolines
     private:
       static std::string mesh_name(const std::size_t number) { return numbered("fields-mesh-", number, ".h5"); }
 
-      static std::string xdmf_text(const FieldOutput &output, const Instants &written)
+      static std::string xdmf_text(const FieldOutput &output, const WrittenInstants &written)
       {
         const FieldSizes sizes = field_sizes(output.system);
         std::string      text  = "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
@@ -149,7 +149,7 @@ namespace myolines
       std::string             memory_;
       std::unique_ptr<Format> format_;
       WorkLedger             &ledger_;
-      Instants                written_;
+      WrittenInstants                written_;
     };
   } // namespace
 

@@ -12,7 +12,8 @@ if [ $# -lt 2 ] || [ "$(id -u)" -ne 0 ]; then
   echo "usage, as root: debian.sh 12|13 FOLDER [--tests [CTEST ARGUMENTS]]" >&2
   exit 2
 fi
-case $1 in
+release=$1
+case $release in
   12) suite=bookworm ;;
   13) suite=trixie ;;
   *)
@@ -49,7 +50,7 @@ inside() {
     bash -euo pipefail -c "$1"
 }
 
-begin "an empty Debian $1 in $root"
+begin "an empty Debian $release in $root"
 if [ ! -e "$root/etc/debian_version" ]; then
   debootstrap --variant=minbase "$suite" "$root" http://deb.debian.org/debian >"$root.log" 2>&1 || {
     tail -5 "$root.log" >&2
@@ -57,11 +58,11 @@ if [ ! -e "$root/etc/debian_version" ]; then
   }
 fi
 for place in proc sys dev dev/shm; do # MPI reads the processors in one, and talks through the last
-  mount --bind "/$place" "$root/$place"
+  mountpoint -q "$root/$place" || mount --bind "/$place" "$root/$place"
 done
 if [ -n "${CCACHE_DIR:-}" ]; then
   mkdir -p "$root/ccache"
-  mount --bind "$CCACHE_DIR" "$root/ccache"
+  mountpoint -q "$root/ccache" || mount --bind "$CCACHE_DIR" "$root/ccache"
 fi
 cp /etc/resolv.conf /etc/hosts "$root/etc/"
 inside "apt-get update -qq"
@@ -93,9 +94,18 @@ inside "
   mpirun -np 2 myolines run /usr/share/myolines/input/isometric_block.xml --quiet --out block --set system/geometry/refinement=1
   grep '\"ranks\": 2' block/manifest.json"
 
-begin "a project that uses the library"
+begin "projects that use the library"
 inside "
-  cp -r /src/myolines/examples/pendulum \$(mktemp -d) && cd /tmp/tmp.*/pendulum
-  cmake -S . -B build -G Ninja >/dev/null && cmake --build build
-  build/pendulum | tee out
-  awk '{ exit !(\$1 > 59.9999 && \$1 < 60.0001) }' out"
+  cp -r /src/myolines/examples \$(mktemp -d) && cd /tmp/tmp.*/examples
+  for project in pendulum library methods; do
+    cmake -S \$project -B \$project/build -G Ninja >/dev/null && cmake --build \$project/build
+  done
+  pendulum/build/pendulum | tee out
+  awk '{ exit !(\$1 > 59.9999 && \$1 < 60.0001) }' out
+  library/build/convergence /usr/share/myolines/input/oscillator.xml 32
+  library/build/matrices /usr/share/myolines/input/isometric_block.xml
+  cmake --install methods/build --prefix /usr >/dev/null
+  myolines run /usr/share/myolines/input/isometric_block.xml --quiet --out plugged_in --set plug-ins=methods --set integrator/type=houbolt \\
+    --set system/geometry/refinement=1
+  grep '\"integrator houbolt\"' plugged_in/manifest.json
+  methods/build/try_methods --gtest_brief=1"

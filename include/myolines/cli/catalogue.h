@@ -2,6 +2,7 @@
 #pragma once
 
 #include <myolines/base/lanes.h>
+#include <myolines/base/registry.h>
 #include <myolines/output/output_folder.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/ledger.h>
@@ -76,15 +77,22 @@ namespace myolines
     MeshParameters                                                                    mesh;
   };
 
-  /// All systems, in the order of `myolines list systems`. A new system is one more entry here.
-  const std::vector<SystemEntry> &system_catalogue();
+  inline const std::string &name_of(const SystemEntry &entry) { return entry.name; }
+
+  /// All systems, in the order of `myolines list systems`, then those of plug-ins. A new system is one more entry here.
+  Registry<SystemEntry> &system_catalogue();
 
   /// @throws InputError with the nearest valid name; @p where is the place of the name.
   const SystemEntry &system_entry(const std::string &name, const std::string &where);
 
+  /// The system of a whole @p scene, which read_whole_scene() gives. @p ledger outlives it. @throws InputError for what ranges cannot
+  /// express.
+  AssembledSystem make_system(const scene::Node &scene, WorkLedger &ledger, InstructionSet instruction_set = widest_instruction_set());
+
   /// The whole scene with the outputs of @p system, and its checkpoints.
   scene::Schema root_schema(const SystemEntry &system);
 
-  /// Reads and validates @p file. The outputs that a scene may ask for depend on its system/type, which is looked at first.
-  scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides);
+  /// Reads and validates @p file. Its plug-ins are loaded first (plugins.h); the outputs that a scene may ask for depend on its
+  /// system/type, which is looked at next.
+  scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides = {});
 } // namespace myolines

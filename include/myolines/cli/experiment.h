@@ -38,6 +38,22 @@ namespace myolines
 
     WorkLedger &ledger() { return ledger_; }
 
+    // For loops and methods of one's own (doc/interface.md); none of these runs anything but start(), where the scene asks for equilibrium.
+
+    const SemiDiscreteSystem &system() const { return *assembled_.system; }
+
+    /// For a method, or a StageSolver, of one's own. It refers to this experiment.
+    IntegratorContext context();
+
+    /// That of the scene, not started. @throws std::logic_error if it chooses its steps itself.
+    Integrator &integrator();
+
+    /// The state that a run begins with.
+    State start();
+
+    /// The observers of the list `output`, which write into @p folder; they refer to this experiment.
+    std::vector<std::unique_ptr<Observer>> make_outputs(const OutputFolder &folder) const;
+
     /// Files that the scene names, with their checksums; on the rank that writes.
     const std::map<std::string, std::string> &inputs() const { return inputs_; }
 

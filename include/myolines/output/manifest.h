@@ -25,6 +25,9 @@ namespace myolines
     std::optional<EnergyReport>        energy;             ///< none: nobody looked at it
     std::vector<std::string>           plan{}, warnings{}; ///< what it computes and skips, and what was told before it began
     std::string                        instruction_set{};  ///< of the cell kernels
+
+    /// What plug-ins bring ("integrator houbolt"), by their files, which are among the inputs.
+    std::map<std::string, std::vector<std::string>> plugins = {};
   };
 
   /// manifest.json: version, git hash, library versions, ranks, host CPU, dates, input files, files noted in @p folder, exit reason;

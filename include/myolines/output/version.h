@@ -7,8 +7,9 @@
 
 namespace myolines
 {
-  extern const char *const version;  ///< of the program
-  extern const char *const git_hash; ///< of the sources, with "-dirty" if they differ from it; "" if they are in no repository
+  extern const char *const version;     ///< of the program
+  extern const char *const build_facts; ///< of this binary, see build_facts.h
+  extern const char *const git_hash;    ///< of the sources, with "-dirty" if they differ from it; "" if they are in no repository
 
   using Versions = std::vector<std::pair<std::string, std::string>>; ///< of things by their names
 
