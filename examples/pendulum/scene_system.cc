@@ -26,7 +26,7 @@ namespace myolines
       CsvFile csv_;
     };
 
-    AssembledSystem make(const scene::Node &system, WorkLedger &ledger)
+    AssembledSystem make(const scene::Node &system, WorkLedger &ledger, InstructionSet)
     {
       AssembledSystem assembled;
       assembled.system       = std::make_unique<Pendulum>(system.number("angle") * degree, ledger);
