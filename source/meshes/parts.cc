@@ -28,7 +28,7 @@ namespace myolines
 
       void join(const std::size_t i, const std::size_t j)
       {
-        const auto [low, high] = std::minmax(find(i), find(j));
+        const auto [low, high] = std::minmax({find(i), find(j)});
         leader_[high]          = low;
       }
 
