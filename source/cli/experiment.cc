@@ -80,7 +80,9 @@ namespace myolines
                                       assembled_.system->capabilities().linear);
     error_norm_  = make_error_norm(scene_.section("time"), *assembled_.system);
     make_method();
-    assembled_.make_outputs(scene_.section("output"), OutputFolder::nowhere()); // which refuse what they cannot do
+    const OutputFolder nowhere = OutputFolder::nowhere();
+    assembled_.make_outputs(scene_.section("output"), nowhere); // which refuse what they cannot do
+    output_files_ = nowhere.noted();
     for (const std::filesystem::path &file : scene_.files())
       if (writes_files())
         inputs_[file.string()] = checksum_of_file(file);

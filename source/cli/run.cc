@@ -177,6 +177,7 @@ namespace myolines
     record.instruction_set               = name(experiment.instruction_set());
     record.plan                          = plan_of(experiment);
     record.warnings                      = experiment.warnings();
+    record.outputs                       = experiment.output_files();
     for (const Plugin &plugin : plugins())
       record.plugins[plugin.file.string()] = plugin.brings;
     if (writes_files())

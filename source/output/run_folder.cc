@@ -105,6 +105,8 @@ namespace myolines
     });
     const OutputFolder outputs = OutputFolder::with_foreign_files(path_);
     note_own_files(outputs);
+    for (const std::string &name : record.outputs) // before any of them is there: a run that is killed leaves no files of nobody
+      outputs.note(name);
     write_manifest(outputs, record, "running");
     replace_file(outputs.file(resolved_name), resolved);
     return outputs;

@@ -51,7 +51,7 @@ namespace myolines::testing
 
         Archive archive, after;
         experiment.integrator->save(archive);
-        archive.put("first step of a piece is due", 0.); // which may be of another method
+        archive.put("first steps of a piece that are due", 0.); // which may be of another method
         for (unsigned int i = 0; i < names.size(); ++i)
           archive.put(names[i].first, unit(3 + i));
         experiment.integrator->load(archive);

@@ -142,10 +142,11 @@ namespace myolines
         {
           PlainMesh mesh = mixed(false);
           mesh.cells.resize(1);
+          mesh.points.resize(8);
           const double y = shared < 4 ? 1 : 0, z = shared < 2 ? 1 : 0;
           for (int i = 0; i < 8; ++i)
             mesh.points.push_back({{mesh.points[i][0] + 1, mesh.points[i][1] + y, mesh.points[i][2] + z}});
-          mesh.cells.push_back({Shape::hexahedron, 1, {{11, 12, 13, 14, 15, 16, 17, 18}}});
+          mesh.cells.push_back({Shape::hexahedron, 1, {{8, 9, 10, 11, 12, 13, 14, 15}}});
           EXPECT_EQ(tidy(mesh).joined, static_cast<std::size_t>(shared));
           EXPECT_EQ(parts_of(mesh).size(), 1u);
           EXPECT_EQ(parts_without_common_faces(mesh).size(), shared == 4 ? 1u : 2u);

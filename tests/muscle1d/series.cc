@@ -206,7 +206,7 @@ TEST(Massless, isRefusedByMethodsThatNeedAccelerations)
         ++refused;
         try
           {
-            entry.make(node(entry.schema), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
+            make_integrator(entry, node(entry.schema), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
             FAIL() << entry.facts.name;
           }
         catch (const InputError &error)

@@ -200,7 +200,7 @@ namespace myolines::picture
   TEST(Figure, FieldsThatAreNotDefinedAreGrey)
   {
     Body body = test::block(2, 1, 1, test::same);
-    test::add_field(body, "angle", [](const Vec &x) { return x[0] > 1 ? NAN : x[1]; });
+    test::add_field(body, "angle", [](const Vec &x) { return x[0] > 2 ? NAN : x[1]; });
     Style style;
     style.field                     = "angle";
     const std::vector<Panel> panels = {{"", std::make_shared<const Body>(body), {}}};

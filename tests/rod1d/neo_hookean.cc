@@ -84,7 +84,7 @@ namespace
     p.stiffness_factor            = std::stod(first[5]);
     const auto [name, parameters] = method(first[0]);
     Rod         rod(p, name, parameters, first[6] == "exact" ? Overrides{"boundary rates=exact", "start velocity=consistent"} : Overrides{},
-                    {"relative tolerance=1e-10"});
+                    {"relative tolerance=1e-9"});
     StrainRates rates(rod.system);
     rates.last = rates.largest = rates.variation = std::vector<double>(4, 0.);
     rod.run(profile == 3 ? 1 : 2, 1e-4, {&rates});

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace myolines
 {
@@ -57,6 +58,9 @@ namespace myolines
     /// Files that the scene names, with their checksums; on the rank that writes.
     const std::map<std::string, std::string> &inputs() const { return inputs_; }
 
+    /// That the outputs of the scene will write, see OutputFolder::noted().
+    const std::set<std::string> &output_files() const { return output_files_; }
+
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.
     void resume(const Checkpoint &checkpoint);
 
@@ -93,6 +97,7 @@ namespace myolines
     scene::Node                          scene_;
     const InstructionSet                 instruction_set_; ///< of the cell kernels
     std::map<std::string, std::string>   inputs_;
+    std::set<std::string>                output_files_;
     WorkLedger                           ledger_;
     AssembledSystem                      assembled_;
     const IntegratorEntry               &method_;

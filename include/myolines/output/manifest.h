@@ -24,6 +24,7 @@ namespace myolines
     std::map<std::string, std::string> inputs;             ///< files that it reads, with their checksums (CRC-32)
     std::optional<EnergyReport>        energy;             ///< none: nobody looked at it
     std::vector<std::string>           plan{}, warnings{}; ///< what it computes and skips, and what was told before it began
+    std::set<std::string>              outputs{};          ///< files that the outputs will write, see OutputFolder::noted()
     std::string                        instruction_set{};  ///< of the cell kernels
 
     /// What plug-ins bring ("integrator houbolt"), by their files, which are among the inputs.
