@@ -24,6 +24,7 @@ namespace myolines::testing
                         {{1, 0, -1. / 6}, {0, 1, -0.5}, {0, 0, q + x * q * q / 2 + k * q * q * q / 6}},
                         {{1, 1, 1. / 3}, {0, 1, 0.5}, {-k, -x - k * q, -(1 - q) - x * (q - q * q / 2) - k * (q * q / 2 - q * q * q / 6)}});
       };
+      c.starting_steps   = 2;
       const double kappa = (1. / 12 + theta * (theta - 1) / 2) / 2;
       c.error = [kappa](const double T) { return Motion{kappa * T * std::sin(T), kappa * T * std::cos(T) + kappa * std::sin(T)}; };
       return c;

@@ -56,7 +56,7 @@ namespace myolines::testing
     /// it goes with (0 like u, 2 like a). Any number of them.
     std::vector<std::pair<std::string, unsigned int>> history = {};
 
-    unsigned int starting_steps = 1; ///< of a piece, until all of the history is there; without a history they play no part
+    unsigned int starting_steps = 1; ///< of a piece, until all of the history is there, or steps are by the method's own formulas
 
     double highest_frequency = 1e4;  ///< w up to which a step of size 1 is taken
     bool   scheme_rates      = true; ///< false: refused for moving boundaries

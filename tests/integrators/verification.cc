@@ -182,7 +182,7 @@ TEST_P(Dynamic, linearisesALinearSystemOnceAndAssemblesAMatrixForEachWeight)
 {
   const double       step       = 0.125; // sizes that are exact in floating point: one set of weights
   const Case        &facts      = GetParam().facts;
-  const unsigned int starting   = facts.history.empty() ? 1 : facts.starting_steps;
+  const unsigned int starting   = facts.starting_steps;
   Experiment         experiment = this->experiment({});
   experiment.run((starting + 1) * step, step);
   const WorkLedger before = experiment.solvers.ledger;

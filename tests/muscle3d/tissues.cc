@@ -210,10 +210,6 @@ namespace myolines
           std::ofstream(file) << text;
           EXPECT_THROW(PointProperties{file}, InputError) << text;
         }
-      std::ofstream(file) << "qp_x,qp_y,qp_z,tissue_id\n0,0,0,7\n"; // a tissue that the scene does not define
-      fields       = {};
-      fields.table = std::make_shared<PointProperties>(file);
-      EXPECT_THROW(residual_with(fields), InputError);
       std::ofstream(file) << "qp_x,qp_y,qp_z,fat_fraction\n5,5,5,0.1\n";
       fields       = {};
       fields.table = std::make_shared<PointProperties>(file);
