@@ -151,12 +151,13 @@ class Tester:
         self.prepared = scratch / "prepared"
         for path in (self.folder, self.prepared):
             shutil.rmtree(path, ignore_errors=True)
-        self.prepared.mkdir(parents=True)
+        self.folder.mkdir(parents=True)
         for name, text in scenario.files.items():
-            (self.prepared / name).write_text(text)
+            (self.folder / name).write_text(text)
         for command in scenario.before:
-            if self.ask(self.prepared, command) != 0:
-                sys.exit(f"{scenario.name}: cannot prepare: {(self.prepared / 'err.txt').read_text()}")
+            if self.ask(self.folder, command) != 0:
+                sys.exit(f"{scenario.name}: cannot prepare: {(self.folder / 'err.txt').read_text()}")
+        self.folder.rename(self.prepared)  # and back at every begin: scenes know their files by absolute paths
         self.renew()
         begin = time.time()
         if self.ask(self.folder, scenario.command) != 0:
