@@ -40,7 +40,8 @@ def scripts(folder):
     text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
     for block in re.split(r"^\d+/\d+ Testing: ", text, flags=re.M)[1:]:
         seconds = re.search(r"^Test time = +([0-9.]+) sec", block, flags=re.M)
-        if seconds and "--gtest_output=json" not in block:
+        skipped = re.search(r"^(Test Skipped|Skip regular expression found|Skip return code)", block, flags=re.M)
+        if seconds and not skipped and "--gtest_output=json" not in block:
             yield block.split("\n", 1)[0], float(seconds.group(1)), re.search(r"^Test Passed\.", block, flags=re.M) is not None
 
 

@@ -140,7 +140,7 @@ TEST(Pictures, AreDrawnOfARun)
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_NE(unknown.err.find("displacement x"), std::string::npos) << "what there is";
   EXPECT_EQ(run_program(folder, "picture run --cut w:2").exit_code, 2);
-  std::filesystem::resize_file(folder / "run/fields-0001.vtu", 3000);
+  std::filesystem::resize_file(folder / "run/fields-0001.vtu", std::filesystem::file_size(folder / "run/fields-0001.vtu") / 2);
   EXPECT_EQ(run_program(folder, "picture run --frames").exit_code, 2) << "a damaged file is told";
   // The next run there takes the pictures away, with what else was of the former one.
   ASSERT_EQ(run_program(folder, "run scene.xml --quiet --out run --overwrite").exit_code, 0);

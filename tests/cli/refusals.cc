@@ -82,7 +82,7 @@ TEST(SystemRefuses, ARunWhoseFolderGoes)
   const Faulty      folder;
   const std::string command = "cd '" + folder.path().string() + "' && { '" + myolines::test::program_file() + "' " + long_run +
                               "gone > out.txt 2> err.txt < /dev/null & p=$!; "
-                              "while [ $(cat gone/steps.csv 2> nothing.txt | wc -l) -lt 3 ]; do sleep 0.01; done; rm -r gone; wait $p; }";
+                              "while [ $(cat gone/steps.csv 2> nothing.txt | wc -l) -lt 3 ]; do sleep 0.01; done; mv gone went; wait $p; }";
   const int status = std::system(command.c_str());
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 4) << folder.text("err.txt");
