@@ -83,7 +83,7 @@ inside "apt-get install -y -qq --no-install-recommends --reinstall /src/myolines
 
 begin "the installed program"
 inside "
-  rm -rf /tmp/tmp.* && cd \$(mktemp -d)
+  cd \$(mktemp -d)
   myolines --version
   ! readelf -d /usr/bin/myolines | grep -E '(RPATH|RUNPATH).*/src'
   [ \"\$(myolines manual)\" = \"\$(zcat -f /usr/share/man/man1/myolines.1*)\" ]
@@ -96,7 +96,7 @@ inside "
 
 begin "projects that use the library"
 inside "
-  cp -r /src/myolines/examples \$(mktemp -d) && cd /tmp/tmp.*/examples
+  cd \$(mktemp -d) && cp -r /src/myolines/examples/. .
   for project in pendulum library methods; do
     cmake -S \$project -B \$project/build -G Ninja >/dev/null && cmake --build \$project/build
   done
