@@ -340,9 +340,10 @@ namespace myolines
 
   scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides)
   {
-    if (const auto plugins = scene::peek_text(file, "plug-ins", overrides))
+    const auto texts = scene::peek_texts(file, {"plug-ins", "system/type"}, overrides);
+    if (const auto &plugins = texts[0])
       load_plugins(*plugins, file.string() + ": plug-ins");
-    const auto        type  = scene::peek_text(file, "system/type", overrides);
+    const auto       &type  = texts[1];
     const std::string where = file.string() + ": system/type";
     if (!type)
       {

@@ -5,6 +5,7 @@
 #include <myolines/base/names.h>
 #include <myolines/cli/plugins.h>
 #include <myolines/output/version.h>
+#include <myolines/scene/numbers.h>
 
 #include <dlfcn.h>
 
@@ -46,15 +47,6 @@ namespace myolines
       return content.substr(from, content.find('\0', from) - from);
     }
 
-    std::vector<std::string> lines_of(const std::string &text)
-    {
-      std::vector<std::string> lines;
-      std::istringstream       stream(text);
-      for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-      return lines;
-    }
-
     /// '"instructions: avx2", this program with "..."' for the first fact that differs; "" if none does.
     std::string first_other_fact(const std::vector<std::string> &there, const std::vector<std::string> &here)
     {
@@ -70,7 +62,7 @@ namespace myolines
       if (facts.empty())
         throw InputError(InputProblem{where, "this is no plug-in of Myolines", "a shared object made by myolines_add_plugin",
                                       "doc/plugins.md tells how to make one"});
-      if (const std::string other = first_other_fact(lines_of(facts), lines_of(build_facts)); !other.empty())
+      if (const std::string other = first_other_fact(scene::lines_of(facts), scene::lines_of(build_facts)); !other.empty())
         throw InputError(InputProblem{where, "the plug-in \"" + name + "\" was built with " + other,
                                       "one that was built as this program was",
                                       "build it anew against this installation, without compiler options of its own"});

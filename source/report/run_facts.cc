@@ -135,12 +135,11 @@ namespace myolines::report
   {
     RunFacts          facts;
     const std::string resolved = (folder / "scene.resolved.xml").string();
-    for (const auto &[words, path] : {std::pair<const char *, const char *>{"system", "system/type"},
-                                      {"integrator", "integrator/type"},
-                                      {"steps chosen", "time/control/type"}})
-      if (const auto text = scene::peek_text(resolved, path))
+    const auto texts = scene::peek_texts(resolved, {"system/type", "integrator/type", "time/control/type", "time/start", "time/end"});
+    for (const auto &[words, text] : {std::pair{"system", texts[0]}, {"integrator", texts[1]}, {"steps chosen", texts[2]}})
+      if (text)
         facts.glance.push_back({words, *text});
-    const auto start = scene::peek_text(resolved, "time/start"), end = scene::peek_text(resolved, "time/end");
+    const auto &start = texts[3], &end = texts[4];
     if (end)
       facts.glance.push_back({"time", start.value_or("0") + " s to " + *end + " s"});
     const std::string reason = manifest.is_object() ? manifest.value("exit reason", "") : "";

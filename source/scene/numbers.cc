@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 namespace myolines::scene
 {
@@ -24,6 +25,15 @@ namespace myolines::scene
       return value;
     }
   } // namespace
+
+  std::vector<std::string> lines_of(const std::string &text)
+  {
+    std::vector<std::string> lines;
+    std::istringstream       stream(text);
+    for (std::string line; std::getline(stream, line);)
+      lines.push_back(line);
+    return lines;
+  }
 
   std::string trimmed(const std::string &text)
   {

@@ -69,12 +69,23 @@ namespace myolines::scene
     return parse_scene("<ParameterList name=\"scene\"></ParameterList>", schema, name, ".", entries);
   }
 
+  std::vector<std::optional<std::string>> peek_texts(const std::filesystem::path &file, const std::vector<std::string> &paths,
+                                                     const std::vector<std::string> &overrides)
+  {
+    const RawList                           root = raw_scene(read_input_text(file), file.string(), overrides);
+    std::vector<std::optional<std::string>> texts;
+    for (const std::string &path : paths)
+      {
+        const RawParameter *found = find_parameter(root, path);
+        texts.push_back(found != nullptr ? std::optional<std::string>(found->text) : std::nullopt);
+      }
+    return texts;
+  }
+
   std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,
                                        const std::vector<std::string> &overrides)
   {
-    const RawList       root  = raw_scene(read_input_text(file), file.string(), overrides);
-    const RawParameter *found = find_parameter(root, path);
-    return found != nullptr ? std::optional<std::string>(found->text) : std::nullopt;
+    return peek_texts(file, {path}, overrides).front();
   }
 
   Node compose_scene(const Schema &schema, const std::vector<Setting> &settings, const std::string &name,

@@ -13,15 +13,6 @@ namespace myolines::scene
 {
   namespace
   {
-    std::vector<std::string> lines_of(const std::string &text)
-    {
-      std::vector<std::string> lines;
-      std::istringstream       stream(text);
-      for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-      return lines;
-    }
-
     bool is_comment(const std::string &line)
     {
       const std::size_t first = line.find_first_not_of(" \t");

@@ -96,8 +96,12 @@ namespace myolines::scene
   /// The list that @p schema declares, all defaults but @p entries ("restart=30"), which nobody writes in a scene; @p name as above.
   Node list_of_defaults(const Schema &schema, const std::string &name, const std::vector<std::string> &entries = {});
 
-  /// The text of the parameter at @p path ("system/type") with @p overrides applied, before any validation; nothing if it
+  /// The texts of the parameters at @p paths ("system/type") with @p overrides applied, before any validation; nothing where one
   /// is not written. For what decides which schema applies. @throws InputError if the file is unreadable or malformed.
+  std::vector<std::optional<std::string>> peek_texts(const std::filesystem::path &file, const std::vector<std::string> &paths,
+                                                     const std::vector<std::string> &overrides = {});
+
+  /// Of one of them.
   std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,
                                        const std::vector<std::string> &overrides = {});
 
