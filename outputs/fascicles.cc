@@ -7,6 +7,8 @@
 
 namespace myolines
 {
+  /// fascicles.csv: mean, least and greatest length of Fascicles, means of their stretch, velocity and curvature and, where there is a line
+  /// of action, of their angle to it.
   SeriesEntry fascicles_series()
   {
     return {

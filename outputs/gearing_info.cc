@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/muscle3d/fascicles.h>
 #include <myolines/output/muscle3d_series.h>
 
 namespace myolines
@@ -20,7 +19,7 @@ namespace myolines
                                                  "Maximum strain rate [1/s]",
                                                  "Mean fibre velocity [m/s]",
                                                  "Volume slab [m^3]"};
-          const double                   fibre = reference_fibre_length(context.system);
+          const double                   fibre = context.system.reference_fibre_length();
           const double                   e0    = context.system.parameters().muscle().fibre.maximum_strain_rate;
           return make_series_file(context.folder, "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
             const BodyMeasures &body = sample.body();

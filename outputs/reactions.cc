@@ -6,6 +6,8 @@
 
 namespace myolines
 {
+  /// reaction.csv: per condition the force with which it pulls on the muscle, and at the end of the row the parts of these forces along the
+  /// line of action, where there is one.
   SeriesEntry reactions_series()
   {
     return switched_series(

@@ -3,6 +3,7 @@
 
 namespace myolines
 {
+  /// shape.csv: width and thickness of the middle (measure_middle()), length, volume over that at rest.
   SeriesEntry shape_series()
   {
     return switched_series(

@@ -4,6 +4,8 @@
 
 namespace myolines
 {
+  /// strain.csv: strain and strain rate along the line of action of the parts of the body up to p L, from the displacements and velocities
+  /// of points of the line between the centres of the faces at its ends, which are L apart; places p in (0, 1].
   SeriesEntry strain_places_series()
   {
     return {

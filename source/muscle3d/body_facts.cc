@@ -23,7 +23,8 @@ namespace myolines
       std::ostringstream              text;
       text << "line of action: from " << faces[line.from] << " to " << faces[line.to] << ", direction (";
       for (unsigned int c = 0; c < 3; ++c)
-        text << (c == 0 ? "" : " ") << (std::abs(line.direction[c]) < 1e-12 ? 0. : line.direction[c]); // of unit length: the rest is rounding
+        text << (c == 0 ? "" : " ")
+             << (std::abs(line.direction[c]) < 1e-12 ? 0. : line.direction[c]); // of unit length: the rest is rounding
       text << "), length " << line.length << " m";
       return text.str();
     }
@@ -36,7 +37,7 @@ namespace myolines
     Totals add_up(const Muscle3dSystem &system)
     {
       const State still = system.still_state();
-      Totals t;
+      Totals      t;
       PointStates(system, still).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
         t.volume += p.JxW;
         t.mass += p.JxW * p.material[material_density];
@@ -67,8 +68,7 @@ namespace myolines
     if (!(t.muscle > 0))
       return lines;
 
-    constexpr unsigned int           enough = 100;
-    const Fascicles                  fascicles(system, enough);
+    const Fascicles                  fascicles(system, enough_fascicles);
     const std::vector<double>       &lengths = fascicles.rest_lengths();
     const std::array<std::size_t, 3> ends    = fascicles.ends();
     if (ends[2] > 0)

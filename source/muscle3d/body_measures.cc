@@ -102,9 +102,10 @@ namespace myolines
       if (tissue.laws.empty())
         return;
       const curves::FibreCurves curves = parameters.fibre_curves();
-      const Deformation<double> moving = deformation(parameters, activation, p, curves);
-      Deformation<double>       still  = moving;
-      still.F_rate                     = Mat3<double>::zero();
+      Deformation<double>       at     = deformation(parameters, activation, p, curves);
+      const auto                moving = strain(at);
+      at.F_rate                        = Mat3<double>::zero();
+      const auto still                 = strain(at);
       const auto power                 = [&](const Mat3<double> &P) { // of the motion, which quasi-static stresses do not see
         double sum = 0;
         for (int i = 0; i < 9; ++i)
@@ -114,8 +115,8 @@ namespace myolines
       for (const TissuePart &part : tissue.laws)
         {
           const double       weight = p.JxW * weight_of(part, p);
-          const Mat3<double> P = part.law->stress(strain(moving)), P_still = part.law->stress(strain(still));
-          if (const std::optional<double> energy = part.law->energy(strain(still)))
+          const Mat3<double> P = part.law->stress(moving), P_still = part.law->stress(still);
+          if (const std::optional<double> energy = part.law->energy(still))
             stored += weight * *energy;
           else
             powers.active_power -= weight * power(P_still);

@@ -352,13 +352,14 @@ namespace myolines
     return shapes;
   }
 
-  double reference_fibre_length(const Muscle3dSystem &system)
+  double Muscle3dSystem::reference_fibre_length() const
   {
-    const Muscle3dParameters &p       = system.parameters();
-    const bool                uniform = p.fields.direction[0].empty() && !p.fields.laplace && !p.fields.table;
-    if (!p.geometry.mesh && uniform)
-      return p.fibre_length();
-    constexpr unsigned int enough = 100;
-    return Fascicles(system, enough).mean_rest_length();
+    const BodyFields &fields  = parameters_.fields;
+    const bool        uniform = fields.direction[0].empty() && !fields.laplace && !fields.table;
+    if (!parameters_.geometry.mesh && uniform)
+      return parameters_.fibre_length();
+    if (!reference_fibre_length_)
+      reference_fibre_length_ = Fascicles(*this, enough_fascicles).mean_rest_length();
+    return *reference_fibre_length_;
   }
 } // namespace myolines

@@ -113,13 +113,16 @@ namespace myolines
                                       const curves::FibreCurves &curves)
     {
       std::vector<Matrix3> stresses;
+      if (!parameters.any_laws())
+        return stresses;
+      const auto at = strain(deformation(parameters, activation, p, curves));
       for (const auto &[id, tissue] : parameters.tissues)
         for (const TissuePart &part : tissue.laws)
           {
             Matrix3 P;
             if (id == p.material_id)
               {
-                const Mat3<double> of_law = part.law->stress(strain(deformation(parameters, activation, p, curves)));
+                const Mat3<double> of_law = part.law->stress(at);
                 for (int i = 0; i < 9; ++i)
                   P[i / 3][i % 3] = weight_of(part, p) * of_law.entry[i];
               }

@@ -54,7 +54,6 @@ namespace myolines
     const Muscle3dSystem        &system_;
   };
 
-  /// L_f0 of thesis (7.2.1) [m]: the length of the straight fibres of a block or the idealised gastrocnemius, the mean length of a hundred
-  /// fascicles of any other body; not a number where no fascicle ends. Collective.
-  double reference_fibre_length(const Muscle3dSystem &system);
+  /// Lines of which `check` and Muscle3dSystem::reference_fibre_length() are means.
+  constexpr unsigned int enough_fascicles = 100;
 } // namespace myolines
