@@ -50,12 +50,11 @@ namespace myolines
     }
 
     void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally, Outputs &outputs,
-                          const std::function<void()> &files_are_known, const StopSignals &signals)
+                          const StopSignals &signals)
     {
       outputs = experiment.make_outputs(folder);
       outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
       outputs.push_back(make_steps_file(folder));
-      files_are_known();
       std::vector<Observer *> observers{&tally};
       for (const auto &output : outputs)
         observers.push_back(output.get());
@@ -208,12 +207,11 @@ namespace myolines
       }
 
     const OutputFolder outputs =
-        checkpoint ? folder.resume(resolved, checkpoint->outputs) : folder.begin(resolved, options.overwrite, record);
-    const auto book = [&](const std::string &reason) { write_manifest(outputs, record, reason); };
+        checkpoint ? folder.resume(resolved, checkpoint->outputs, record) : folder.begin(resolved, options.overwrite, record);
     Outputs    observers;
     const auto close = [&](const std::string &reason) {
       record.energy = energy_of_run(observers);
-      book(reason);
+      write_manifest(outputs, record, reason);
       write_ledger(outputs, experiment.ledger());
     };
     const auto close_failed = [&](const std::string &reason) {
@@ -229,8 +227,6 @@ namespace myolines
         for (const std::string &line : energy_lines(*record.energy, experiment.method().name))
           out << line << "\n";
     };
-    const auto book_running = [&] { book("running"); }; // what a killed run leaves
-    book_running();
     if (!options.quiet)
       {
         for (const std::string &warning : record.warnings)
@@ -241,7 +237,7 @@ namespace myolines
     Tally tally;
     try
       {
-        run_with_outputs(experiment, outputs, options.quiet, tally, observers, book_running, signals);
+        run_with_outputs(experiment, outputs, options.quiet, tally, observers, signals);
       }
     catch (const SolveError &error)
       {

@@ -76,6 +76,13 @@ namespace myolines
       for (const char *name : {"ledger.json", "run.log", "steps.csv", "checkpoint", "states/state-*", resolved_name, "manifest.json"})
         outputs.note(name);
     }
+    /// With the names of all files before any of them is there: a run that is killed leaves no files of nobody.
+    void write_first_manifest(const OutputFolder &outputs, const RunRecord &record)
+    {
+      for (const std::string &name : record.outputs)
+        outputs.note(name);
+      write_manifest(outputs, record, "running");
+    }
   } // namespace
 
   RunFolder::RunFolder(std::filesystem::path folder)
@@ -105,14 +112,12 @@ namespace myolines
     });
     const OutputFolder outputs = OutputFolder::with_foreign_files(path_);
     note_own_files(outputs);
-    for (const std::string &name : record.outputs) // before any of them is there: a run that is killed leaves no files of nobody
-      outputs.note(name);
-    write_manifest(outputs, record, "running");
+    write_first_manifest(outputs, record);
     replace_file(outputs.file(resolved_name), resolved);
     return outputs;
   }
 
-  OutputFolder RunFolder::resume(const std::string &resolved, const Archive &saved) const
+  OutputFolder RunFolder::resume(const std::string &resolved, const Archive &saved, const RunRecord &record) const
   {
     const OutputFolder outputs(path_, &saved);
     note_own_files(outputs);
@@ -121,6 +126,7 @@ namespace myolines
         outputs.note(name);
       replace_file(outputs.file(resolved_name), resolved);
     });
+    write_first_manifest(outputs, record);
     return outputs;
   }
 

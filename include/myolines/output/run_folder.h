@@ -26,8 +26,8 @@ namespace myolines
     /// this run, a file is not of a run, or the manifest is damaged or not of this program.
     OutputFolder begin(const std::string &resolved, bool overwrite, const RunRecord &record) const;
 
-    /// For a run that goes on with what it @p saved, whatever has become of its manifest.
-    OutputFolder resume(const std::string &resolved, const Archive &saved) const;
+    /// For a run that goes on with what it @p saved, whatever has become of its manifest, which is written anew.
+    OutputFolder resume(const std::string &resolved, const Archive &saved, const RunRecord &record) const;
 
   private:
     bool                               has_other_results(const std::string &resolved) const;
