@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/muscle3d/boundary_entries.h>
+#include <myolines/boundary/boundary_entries.h>
 
 namespace myolines
 {

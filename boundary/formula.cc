@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/muscle3d/boundary_entries.h>
-#include <myolines/muscle3d/formula.h>
+#include <myolines/boundary/boundary_entries.h>
+#include <myolines/scene/formula.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
+#include <myolines/boundary/boundary_entries.h>
 #include <myolines/fem/node_space.h>
-#include <myolines/muscle3d/boundary_entries.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>

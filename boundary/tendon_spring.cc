@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/muscle3d/face_as_one.h>
+#include <myolines/boundary/face_as_one.h>
 #include <myolines/system/file_drive.h>
 
 namespace myolines

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/observers/muscle3d_series.h>
+#include <myolines/observers/stress_columns.h>
 #include <myolines/output/csv_file.h>
-#include <myolines/output/muscle3d_series.h>
-#include <myolines/output/stress_columns.h>
 #include <myolines/output/text_file.h>
 
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/observers/muscle3d_series.h>
 #include <myolines/output/csv_file.h>
-#include <myolines/output/muscle3d_series.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
-#include <myolines/muscle3d/fascicles.h>
-#include <myolines/output/muscle3d_series.h>
+#include <myolines/measures/fascicles.h>
+#include <myolines/observers/muscle3d_series.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/output/muscle3d_series.h>
-#include <myolines/output/stress_columns.h>
+#include <myolines/observers/muscle3d_series.h>
+#include <myolines/observers/stress_columns.h>
 
 namespace myolines
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/output/muscle3d_series.h>
+#include <myolines/observers/muscle3d_series.h>
 
 #include <cmath>
 #include <limits>
@@ -7,15 +7,14 @@
 namespace myolines
 {
   /// gearing.csv: G = -|mean muscle velocity| / (L_f0 e0 mean fibre strain rate), thesis (7.2.13), with L_f0 of
-  /// Muscle3dSystem::reference_fibre_length(); empty while fibres are at rest. Physiological: 1 unless fibres change length faster than
+  /// ReferenceFibre; empty while fibres are at rest. Physiological: 1 unless fibres change length faster than
   /// their maximum strain rate, 0 then.
   SeriesEntry gearing_series()
   {
     return switched_series(
         "gearing", false, SeriesNeeds::velocities_and_line, "gearing.csv: G of (7.2.13) at every row; dynamic systems only.",
         [](const SeriesContext &context) -> std::unique_ptr<SeriesFile> {
-          const double fibre_speed =
-              context.system.reference_fibre_length() * context.system.parameters().muscle().fibre.maximum_strain_rate;
+          const double fibre_speed = context.fibre.length() * context.system.parameters().muscle().fibre.maximum_strain_rate;
           return make_series_file(context.folder, "gearing.csv",
                                   {"Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing", "Physiological"},
                                   [fibre_speed](const Muscle3dSample &sample) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/output/muscle3d_series.h>
+#include <myolines/observers/muscle3d_series.h>
 
 namespace myolines
 {
@@ -19,7 +19,7 @@ namespace myolines
                                                  "Maximum strain rate [1/s]",
                                                  "Mean fibre velocity [m/s]",
                                                  "Volume slab [m^3]"};
-          const double                   fibre = context.system.reference_fibre_length();
+          const double                   fibre = context.fibre.length();
           const double                   e0    = context.system.parameters().muscle().fibre.maximum_strain_rate;
           return make_series_file(context.folder, "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
             const BodyMeasures &body = sample.body();

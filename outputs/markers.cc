@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/output/markers.h>
-#include <myolines/output/muscle3d_series.h>
+#include <myolines/measures/marker_probe.h>
+#include <myolines/observers/markers.h>
+#include <myolines/observers/muscle3d_series.h>
 
 namespace myolines
 {

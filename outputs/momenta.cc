@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/output/muscle3d_series.h>
+#include <myolines/measures/momenta.h>
+#include <myolines/observers/muscle3d_series.h>
 
 #include <utility>
 

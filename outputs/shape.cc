@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/output/muscle3d_series.h>
+#include <myolines/observers/muscle3d_series.h>
 
 namespace myolines
 {

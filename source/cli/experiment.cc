@@ -6,6 +6,7 @@
 #include <myolines/cli/plugins.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/system/file_drive.h>
 #include <myolines/system/instants.h>
 #include <myolines/time/energy_guard.h>
@@ -81,8 +82,16 @@ namespace myolines
     error_norm_  = make_error_norm(scene_.section("time"), *assembled_.system);
     make_method();
     const OutputFolder nowhere = OutputFolder::nowhere();
-    assembled_.make_outputs(scene_.section("output"), nowhere); // which refuse what they cannot do
-    output_files_ = nowhere.noted();
+    for (const auto &output : assembled_.make_outputs(scene_.section("output"), nowhere)) // which refuse what they cannot do
+      for (const double t : output->instants())
+        if (t > settings_.start && t <= settings_.end)
+          settings_.landings.push_back(t);
+        else if (t != settings_.start)
+          scene_.section("time").refuse("end",
+                                        "an output asks for the state at " + scene::format_number(t) + " s, which is no time of the run",
+                                        "times between \"start\" and \"end\"", "change the list \"at\" of the output, or the run");
+    settings_.landings = one_list(settings_.landings);
+    output_files_      = nowhere.noted();
     for (const std::filesystem::path &file : scene_.files())
       if (writes_files())
         inputs_[file.string()] = checksum_of_file(file);

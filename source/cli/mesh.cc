@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
+#include <myolines/body/mesh_export.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
 #include <myolines/meshes/write.h>
-#include <myolines/muscle3d/mesh_export.h>
 #include <myolines/muscle3d/parameters.h>
 #include <myolines/output/text_file.h>
 

@@ -2,7 +2,7 @@
 #include "peer_body.h"
 
 #include <myolines/base/names.h>
-#include <myolines/muscle3d/body_fields.h>
+#include <myolines/body/body_fields.h>
 #include <myolines/muscle3d/plausibility.h>
 #include <myolines/scene/numbers.h>
 

@@ -3,7 +3,7 @@
 
 #include "peer_translation.h"
 
-#include <myolines/muscle3d/geometry.h>
+#include <myolines/body/geometry.h>
 
 #include <string>
 #include <vector>

@@ -10,11 +10,12 @@
 #include <myolines/cli/plugins.h>
 #include <myolines/cli/resume.h>
 #include <myolines/cli/stop_signals.h>
+#include <myolines/observers/outputs.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/energy_watch.h>
 #include <myolines/output/manifest.h>
-#include <myolines/output/outputs.h>
 #include <myolines/output/run_folder.h>
+#include <myolines/output/step_records.h>
 #include <myolines/output/text_file.h>
 
 #include <ctime>

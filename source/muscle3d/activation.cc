@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/body/entries.h>
 #include <myolines/muscle3d/activation.h>
-#include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/parameters.h>
 #include <myolines/system/file_drive.h>
 #include <myolines/system/zajac.h>

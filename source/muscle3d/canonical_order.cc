@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "forest_order.h"
+#include <myolines/muscle3d/forest_order.h>
 
 #include <myolines/muscle3d/muscle3d_system.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/names.h>
+#include <myolines/body/entries.h>
 #include <myolines/muscle3d/activation.h>
-#include <myolines/muscle3d/entries.h>
 #include <myolines/muscle3d/parameters.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "point_states.h"
+#include <myolines/muscle3d/point_states.h>
 
 #include <limits>
 

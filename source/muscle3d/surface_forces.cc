@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "current_ghosts.h"
+#include <myolines/algebra/current_ghosts.h>
 
 #include <myolines/muscle3d/surface_forces.h>
 

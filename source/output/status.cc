@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/output/outputs.h>
 #include <myolines/output/status.h>
+#include <myolines/output/step_records.h>
 #include <myolines/output/text_file.h>
 
 #include <unistd.h>

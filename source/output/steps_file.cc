@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/output/csv_file.h>
-#include <myolines/output/outputs.h>
 #include <myolines/output/status.h>
+#include <myolines/output/step_records.h>
 #include <myolines/output/text_file.h>
 
 namespace myolines

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "bars.h"
 
-#include <myolines/muscle3d/field_units.h>
+#include <myolines/measures/fields.h>
 
 #include <algorithm>
 #include <cmath>

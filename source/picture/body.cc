@@ -156,9 +156,9 @@ namespace myolines::picture
     if (!std::filesystem::is_directory(folder))
       throw InputError(InputProblem{folder.string(), "there is no such folder", "the output folder of a run", ""});
     if (!are_in(folder))
-      throw InputError(InputProblem{
-          folder.string(), "the run wrote no fields", "fields.pvd or fields.xdmf, which runs of three-dimensional muscles write",
-          "run it with --set \"output/fields/what=displacement, stretch, fibre direction x, fibre direction y, fibre direction z\""});
+      throw InputError(InputProblem{folder.string(), "the run wrote no fields",
+                                    "fields.pvd or fields.xdmf, which runs of three-dimensional muscles write",
+                                    "run it with --set \"output/fields/what=displacement, stretch, fibre direction\""});
     hdf5_                            = !std::filesystem::exists(folder / "fields.pvd");
     const std::filesystem::path list = folder / (hdf5_ ? "fields.xdmf" : "fields.pvd");
     const std::string           text = scene::read_input_bytes(list);

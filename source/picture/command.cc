@@ -138,7 +138,7 @@ namespace myolines::picture
         const Body body = runs_[r].read(0);
         if (!has_fibres(body))
           throw InputError(InputProblem{"--fibres", "the run \"" + name_of(options_.folders[r]) + "\" wrote no directions of fibres",
-                                        "the fields fibre direction x, y and z", "run it again with them in output/fields/what"});
+                                        "the field \"fibre direction\"", "run it again with it in output/fields/what"});
         return fibre_lines(body, options_.fibres);
       }
 

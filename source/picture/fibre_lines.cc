@@ -9,7 +9,8 @@ namespace myolines::picture
 {
   namespace
   {
-    constexpr double muscle = 1; // number of the tissue
+    constexpr const char *fibre_field = "fibre direction";
+    constexpr double      muscle      = 1; // number of the tissue
 
     double volume(const std::array<Vec, 3> &d) { return cross_product_3d(d[0], d[1]) * d[2]; }
 
@@ -31,10 +32,8 @@ namespace myolines::picture
         : body_(body)
         , locator_(body)
         , tissue_(body.find("tissue"))
-      {
-        for (unsigned int c = 0; c < 3; ++c)
-          fibre_[c] = body.find(std::string("fibre direction ") + "xyz"[c]);
-      }
+        , fibre_(body.find(fibre_field))
+      {}
 
       /// Unit; nothing outside of the muscle.
       std::optional<Vec> at(const Vec &rest) const
@@ -47,7 +46,7 @@ namespace myolines::picture
           return std::nullopt;
         Vec now, in_cell;
         for (unsigned int c = 0; c < 3; ++c)
-          now[c] = value(*fibre_[c], 0, cell, found->xi);
+          now[c] = value(*fibre_, c, cell, found->xi);
         if (!(now.norm() > 0.1) || !solve(derivatives(body_.now, cell, found->xi), now, in_cell))
           return std::nullopt;
         const std::array<Vec, 3> d      = derivatives(body_.rest, cell, found->xi);
@@ -56,10 +55,10 @@ namespace myolines::picture
       }
 
     private:
-      const Body                  &body_;
-      CellLocator                  locator_;
-      const Field                 *tissue_;
-      std::array<const Field *, 3> fibre_;
+      const Body  &body_;
+      CellLocator  locator_;
+      const Field *tissue_;
+      const Field *fibre_;
     };
 
     /// One half of a line from @p start on, without it. False if it has no end.
@@ -193,8 +192,8 @@ namespace myolines::picture
 
   bool has_fibres(const Body &body)
   {
-    return body.find("fibre direction x") != nullptr && body.find("fibre direction y") != nullptr &&
-           body.find("fibre direction z") != nullptr;
+    const Field *fibre = body.find(fibre_field);
+    return fibre != nullptr && fibre->n_components == 3;
   }
 
   std::vector<std::vector<Vec>> fibre_lines(const Body &body, const unsigned int number)

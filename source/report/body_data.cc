@@ -2,7 +2,7 @@
 #include "body_data.h"
 #include "reports.h"
 
-#include <myolines/muscle3d/field_units.h>
+#include <myolines/measures/fields.h>
 #include <myolines/picture/fibre_lines.h>
 #include <myolines/picture/figure.h>
 

@@ -54,6 +54,7 @@ namespace myolines::study
         case SQLITE_NOMEM:
         case SQLITE_PERM:
         case SQLITE_READONLY:
+        case SQLITE_CANTOPEN:
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
           {

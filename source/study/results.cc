@@ -2,8 +2,8 @@
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/compare/compare.h>
-#include <myolines/muscle3d/formula.h>
 #include <myolines/output/checkpoint.h>
+#include <myolines/scene/formula.h>
 #include <myolines/study/csv_table.h>
 #include <myolines/study/results.h>
 #include <myolines/study/runner.h>

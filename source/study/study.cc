@@ -3,7 +3,7 @@
 #include "series_pictures.h"
 
 #include <myolines/base/names.h>
-#include <myolines/muscle3d/formula.h>
+#include <myolines/scene/formula.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/study/csv_table.h>
 #include <myolines/study/measures.h>

@@ -27,7 +27,8 @@ namespace
   const std::string all_tensors =
       "displacement, stress xx, stress yy, stress zz, stress xy, stress yz, stress zx, von mises stress, principal stress 1, "
       "principal stress 2, principal stress 3, green strain xx, green strain yy, green strain zz, green strain xy, "
-      "principal green strain 1, principal green strain 3";
+      "principal green strain 1, principal green strain 3, fibre direction, fibre direction at rest, "
+      "principal green strain direction 1, principal green strain direction 3, principal stress direction 1";
 
   double at(const pictures::Body &body, const std::string &field, const std::size_t p)
   {
@@ -35,6 +36,14 @@ namespace
     if (found == nullptr)
       throw std::runtime_error("no field " + field);
     return found->values[p];
+  }
+
+  pictures::Vec vector_at(const pictures::Body &body, const std::string &field, const std::size_t p)
+  {
+    const pictures::Field *found = body.find(field);
+    if (found == nullptr || found->n_components != 3)
+      throw std::runtime_error("no vector field " + field);
+    return pictures::Vec({found->values[3 * p], found->values[3 * p + 1], found->values[3 * p + 2]});
   }
 
   /// The scene without conditions, so that the initial motion is all of the motion.
@@ -78,6 +87,58 @@ TEST(Fields, TensorsAreThoseOfAnAffineMotion)
       EXPECT_NEAR(at(body, "principal stress 1", p) + at(body, "principal stress 2", p) + at(body, "principal stress 3", p), xx + yy + zz,
                   1e-5 * size);
       EXPECT_GE(at(body, "principal stress 1", p), at(body, "principal stress 3", p));
+
+      const pictures::Vec a0 = vector_at(body, "fibre direction at rest", p);
+      EXPECT_NEAR(a0.norm(), 1, 1e-6);
+      const pictures::Vec a({1.1 * a0[0] + 0.2 * a0[1], a0[1], 0.95 * a0[2]});
+      EXPECT_NEAR((vector_at(body, "fibre direction", p) - a / a.norm()).norm(), 0, 1e-6);
+      const auto strained = [](const pictures::Vec &d) {
+        return pictures::Vec({0.105 * d[0] + 0.11 * d[1], 0.11 * d[0] + 0.02 * d[1], (0.9025 - 1) / 2 * d[2]});
+      };
+      for (const char *which : {"1", "3"})
+        {
+          const pictures::Vec d = vector_at(body, std::string("principal green strain direction ") + which, p);
+          EXPECT_NEAR(d.norm(), 1, 1e-6);
+          EXPECT_NEAR((strained(d) - at(body, std::string("principal green strain ") + which, p) * d).norm(), 0, 1e-6);
+        }
+      const pictures::Vec s = vector_at(body, "principal stress direction 1", p);
+      const pictures::Vec stressed(
+          {xx * s[0] + xy * s[1] + zx * s[2], xy * s[0] + yy * s[1] + yz * s[2], zx * s[0] + yz * s[1] + zz * s[2]});
+      EXPECT_NEAR((stressed - at(body, "principal stress 1", p) * s).norm(), 0, 1e-5 * size);
+    }
+}
+
+TEST(Fields, OfAStateWithoutStrainHaveNoPrincipalDirections)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", muscle_scene);
+  ASSERT_EQ(
+      run_program(folder, "run scene.xml --quiet --out run --set \"output/fields/what=displacement, principal green strain direction 1\"")
+          .exit_code,
+      0);
+  const pictures::Body start = pictures::RunFields(folder / "run").read(0);
+  for (std::size_t p = 0; p < start.rest.size(); ++p)
+    EXPECT_EQ(vector_at(start, "principal green strain direction 1", p).norm(), 0);
+}
+
+TEST(Fields, AreWrittenAtGivenTimes)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", muscle_scene);
+  const std::string run = "run scene.xml --quiet --overwrite --out run --set \"output/fields/at=";
+  ASSERT_EQ(run_program(folder, run + "0.013 0.04\"").exit_code, 0);
+  const pictures::RunFields fields(folder / "run");
+  ASSERT_EQ(fields.size(), 2u);
+  EXPECT_NEAR(fields.time(0), 0.013, 1e-15);
+  EXPECT_NEAR(fields.time(1), 0.04, 1e-15);
+  ASSERT_EQ(run_program(folder, run + "0 0.02\" --set output/fields/format=hdf5").exit_code, 0);
+  EXPECT_EQ(pictures::RunFields(folder / "run").size(), 2u) << "the start, and a step that ends there by itself";
+  EXPECT_NE(run_program(folder, "check scene.xml --set output/fields/at=0.013").out.find("3 steps"), std::string::npos);
+  for (const char *wrong : {"0.05\"", "-1\"", "soon\"", "0.01\" --set output/fields/every=2"})
+    {
+      const Outcome outcome = run_program(folder, run + wrong);
+      EXPECT_EQ(outcome.exit_code, 2) << wrong;
+      EXPECT_NE(outcome.err.find("\"at\""), std::string::npos) << outcome.err;
     }
 }
 
@@ -124,10 +185,7 @@ TEST(Pictures, AreDrawnOfARun)
   const TestFolder folder;
   folder.write("scene.xml", muscle_scene);
   ASSERT_EQ(
-      run_program(folder,
-                  "run scene.xml --quiet --out run --set \"output/fields/what=displacement, stretch, fibre direction x, fibre direction y, "
-                  "fibre direction z\"")
-          .exit_code,
+      run_program(folder, "run scene.xml --quiet --out run --set \"output/fields/what=displacement, stretch, fibre direction\"").exit_code,
       0);
   const Outcome first = run_program(folder, "picture run --fibres 5 --cut z:0.5");
   EXPECT_EQ(first.exit_code, 0) << first.err;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <myolines/muscle3d/block_fields.h>
+#include <myolines/measures/block_fields.h>
 #include <myolines/muscle3d/discretisation.h>
 
 #include <deal.II/base/point.h>

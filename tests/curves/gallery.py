@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-FIBRES = "fibre direction x, fibre direction y, fibre direction z"
+FIBRES = "fibre direction"
 
 # name, scene, what is set, arguments of `picture`, words
 BODIES = (

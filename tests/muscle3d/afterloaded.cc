@@ -2,7 +2,7 @@
 // A face that moves as one under a force, with a stop: closed forms, and the same body without a stop.
 #include "bar.h"
 
-#include <myolines/muscle3d/tendon_spring.h>
+#include <myolines/boundary/tendon_spring.h>
 #include <myolines/system/drive_types.h>
 
 namespace myolines

@@ -2,7 +2,7 @@
 // Fibres between faces, and the acoustic tensor.
 #include "fixtures.h"
 
-#include "../../source/muscle3d/point_states.h"
+#include <myolines/muscle3d/point_states.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,8 @@
 
 #include "simulation.h"
 
-#include <myolines/muscle3d/measurements.h>
+#include <myolines/measures/marker_probe.h>
+#include <myolines/muscle3d/body_measures.h>
 
 namespace myolines::test
 {

@@ -2,8 +2,8 @@
 // Boundary conditions in whole runs, against closed forms and against other ways to say the same.
 #include "bar.h"
 
+#include <myolines/boundary/tendon_spring.h>
 #include <myolines/materials/curves.h>
-#include <myolines/muscle3d/tendon_spring.h>
 #include <myolines/system/drive_types.h>
 
 namespace myolines

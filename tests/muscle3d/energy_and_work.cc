@@ -2,7 +2,7 @@
 // Energy balance of whole runs, and what runs do and do not compute.
 #include "simulation.h"
 
-#include <myolines/muscle3d/measurements.h>
+#include <myolines/muscle3d/body_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 
 #include <myolines/base/error.h>
 #include <myolines/fem/rigid_body_modes.h>
+#include <myolines/measures/rigid_motions.h>
+#include <myolines/muscle3d/body_measures.h>
 #include <myolines/muscle3d/loads.h>
-#include <myolines/muscle3d/measurements.h>
-#include <myolines/muscle3d/rigid_motions.h>
 #include <myolines/muscle3d/surface_forces.h>
 #include <myolines/solve/free_unknowns.h>
 

@@ -2,8 +2,8 @@
 // Lines of action, and fascicles whose lengths and curvatures have closed forms.
 #include "fixtures.h"
 
-#include <myolines/muscle3d/fascicles.h>
-#include <myolines/muscle3d/line_of_action.h>
+#include <myolines/boundary/line_of_action.h>
+#include <myolines/measures/fascicles.h>
 
 #include <gtest/gtest.h>
 

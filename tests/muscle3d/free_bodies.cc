@@ -3,8 +3,9 @@
 
 #include "simulation.h"
 
-#include <myolines/muscle3d/measurements.h>
-#include <myolines/muscle3d/rigid_motions.h>
+#include <myolines/measures/momenta.h>
+#include <myolines/measures/rigid_motions.h>
+#include <myolines/muscle3d/body_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "simulation.h"
 
 #include <myolines/base/error.h>
-#include <myolines/muscle3d/measurements.h>
+#include <myolines/muscle3d/body_measures.h>
 
 #include <cmath>
 

@@ -2,7 +2,8 @@
 // Loads from outside, against closed forms.
 #include "simulation.h"
 
-#include <myolines/muscle3d/measurements.h>
+#include <myolines/measures/marker_probe.h>
+#include <myolines/muscle3d/body_measures.h>
 
 #include <algorithm>
 #include <cmath>

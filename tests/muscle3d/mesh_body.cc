@@ -5,7 +5,7 @@
 #include "fixtures.h"
 
 #include <myolines/base/names.h>
-#include <myolines/muscle3d/measurements.h>
+#include <myolines/muscle3d/body_measures.h>
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include "../support/complaint.h"
 #include "../support/temporary.h"
 
+#include <myolines/body/body_fields.h>
 #include <myolines/meshes/write.h>
-#include <myolines/muscle3d/body_fields.h>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "simulation.h"
 
 #include <myolines/base/error.h>
-#include <myolines/muscle3d/measurements.h>
+#include <myolines/muscle3d/body_measures.h>
 #include <myolines/time/start.h>
 
 namespace myolines

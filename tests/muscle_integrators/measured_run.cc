@@ -5,6 +5,7 @@
 #include "../cli/program_runner.h"
 
 #include <myolines/cli/experiment.h>
+#include <myolines/measures/marker_probe.h>
 #include <myolines/scene/numbers.h>
 
 #include <cmath>

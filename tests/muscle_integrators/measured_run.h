@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <myolines/muscle3d/measurements.h>
+#include <myolines/muscle3d/body_measures.h>
 
 #include <string>
 #include <vector>

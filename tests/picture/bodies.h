@@ -40,4 +40,15 @@ namespace myolines::test
       field.values.push_back(value(x));
     body.fields.push_back(field);
   }
+
+  inline void add_vector_field(picture::Body &body, const std::string &name, const std::function<picture::Vec(const picture::Vec &)> &value)
+  {
+    picture::Field field{name, 3, {}};
+    for (const picture::Vec &x : body.rest)
+      {
+        const picture::Vec v = value(x);
+        field.values.insert(field.values.end(), v.begin_raw(), v.end_raw());
+      }
+    body.fields.push_back(field);
+  }
 } // namespace myolines::test

@@ -129,8 +129,7 @@ namespace myolines::picture
       body.now[p] = sheared(body.rest[p]);
     a = sheared(a0);
     a /= a.norm();
-    for (unsigned int c = 0; c < 3; ++c)
-      test::add_field(body, std::string("fibre direction ") + "xyz"[c], [&](const Vec &) { return a[c]; });
+    test::add_vector_field(body, "fibre direction", [&](const Vec &) { return a; });
     const auto lines = fibre_lines(body, 12);
     ASSERT_EQ(lines.size(), 12u);
     for (const auto &line : lines)
@@ -164,8 +163,7 @@ namespace myolines::picture
   TEST(FibreLines, EndAtOtherTissues)
   {
     Body body = block(6, 2, 2, test::same);
-    for (unsigned int c = 0; c < 3; ++c)
-      test::add_field(body, std::string("fibre direction ") + "xyz"[c], [&](const Vec &) { return c == 0 ? 1. : 0.; });
+    test::add_vector_field(body, "fibre direction", [](const Vec &) { return Vec({1, 0, 0}); });
     picture::Field tissue{"tissue", 1, {}};
     for (const Body::Cell &cell : body.cells)
       for (std::size_t v = 0; v < 8; ++v)

@@ -119,8 +119,21 @@ class Browser:
         return answer["result"].get("value")
 
     def key(self, name):
-        for kind in ("keyDown", "keyUp"):
-            self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name, text=name if len(name) == 1 and kind == "keyDown" else "")
+        """Chromium moves the focus by the number of the key, not by its name."""
+        number = {"Tab": 9, "Enter": 13, "PageUp": 33, "PageDown": 34, "Home": 36, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39,
+                  "ArrowDown": 40}.get(name, 0)
+        for kind in ("rawKeyDown" if number else "keyDown", "keyUp"):
+            self.call("Input.dispatchKeyEvent", type=kind, key=name, code=name, windowsVirtualKeyCode=number,
+                      text=name if len(name) == 1 and kind == "keyDown" else "")
+
+    def becomes(self, expression, seconds=10):
+        """Whether the expression is true within some time: pages draw when they come to it."""
+        until = time.time() + seconds
+        while not self.ask(expression):
+            if time.time() > until:
+                return False
+            self.wait(0.1)
+        return True
 
     def mouse(self, kind, x, y, **more):
         self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, **more)

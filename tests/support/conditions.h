@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <myolines/muscle3d/boundary.h>
-#include <myolines/muscle3d/line_of_action.h>
+#include <myolines/boundary/boundary.h>
+#include <myolines/boundary/line_of_action.h>
 
 #include <memory>
 #include <sstream>

@@ -4,7 +4,7 @@
 #include <myolines/fem/cell_batches.h>
 #include <myolines/fem/element.h>
 #include <myolines/fem/node_space.h>
-#include <myolines/muscle3d/kernels.h>
+#include <myolines/kernels/kernels.h>
 #include <myolines/muscle3d/parameters.h>
 #include <myolines/muscle3d/point_materials.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <myolines/muscle3d/discretisation.h>
-#include <myolines/muscle3d/formula.h>
 #include <myolines/muscle3d/surface_forces.h>
+#include <myolines/scene/formula.h>
 #include <myolines/system/point.h>
 
 #include <memory>

@@ -58,10 +58,7 @@ namespace myolines
     CellSweep                     sweep() const; ///< of the kernels over the body
     /// Along which the body is measured.
     const LineChoice &line_of_action() const { return line_; }
-    /// L_f0 of thesis (7.2.1) [m]: the length of the straight fibres of a block or the idealised gastrocnemius, the mean length of a
-    /// hundred Fascicles of any other body, traced when it is asked for first; not a number where no fascicle ends. Collective.
-    double      reference_fibre_length() const;
-    std::size_t n_cells() const;
+    std::size_t       n_cells() const;
     /// Activation at time t, 0 without one.
     Activation activation(double t, Side side = Side::left) const { return parameters_.activation_at(t, side); }
 
@@ -93,7 +90,6 @@ namespace myolines
     std::unique_ptr<PointMaterials>         materials_;
     std::unique_ptr<SurfaceForces>          surface_forces_;
     std::unique_ptr<Loads>                  loads_;
-    mutable std::optional<double>           reference_fibre_length_; ///< once it has been traced
   };
 
   /// Sizes of a muscle, estimated from its parameters before anything is made. Numbers, as they may be beyond all integers.

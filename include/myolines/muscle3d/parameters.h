@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/body/body_fields.h>
+#include <myolines/body/initial_motion.h>
+#include <myolines/boundary/boundary.h>
+#include <myolines/boundary/line_of_action.h>
 #include <myolines/materials/curve_set.h>
 #include <myolines/materials/tissue.h>
-#include <myolines/muscle3d/body_fields.h>
-#include <myolines/muscle3d/boundary.h>
-#include <myolines/muscle3d/initial_motion.h>
-#include <myolines/muscle3d/line_of_action.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/drive.h>
 

@@ -1,26 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/system/instants.h>
 #include <myolines/time/loop.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace myolines
 {
   /// Writes at the start, after every `every` accepted steps, and the state that the run ends with. In a resumed run the
-  /// latter gives way to what follows.
+  /// latter gives way to what follows. With instants it writes there, and nowhere else.
   class PeriodicOutput : public Observer
   {
   public:
-    explicit PeriodicOutput(const std::size_t every)
+    explicit PeriodicOutput(const std::size_t every, std::vector<double> instants = {})
       : every_(every)
+      , instants_(std::move(instants))
     {}
 
-    void begin(const State &state) final { write(state, Side::right, 0); }
+    std::vector<double> instants() const final { return instants_; }
+
+    void begin(const State &state) final
+    {
+      if (due(state.t, 0))
+        write(state, Side::right, 0);
+    }
     void resume(const State &, const std::size_t step) final { step_ = step; }
 
     void accepted(const State &state, const StepRecord &record) final
     {
       step_ = record.number;
-      if (due())
+      if (due(state.t, record.dt))
         write(state, Side::left, step_);
       else
         pass(state);
@@ -28,7 +40,7 @@ namespace myolines
 
     void last(const State &state) final
     {
-      if (!due())
+      if (instants_.empty() && !due(state.t, 0))
         write(state, Side::left, step_);
     }
 
@@ -39,9 +51,14 @@ namespace myolines
     virtual void pass(const State &) {}
 
   private:
-    bool due() const { return step_ % every_ == 0; }
+    bool due(const double t, const double dt) const
+    {
+      return instants_.empty() ? step_ % every_ == 0
+                               : std::any_of(instants_.begin(), instants_.end(), [&](const double at) { return same_time(at, t, dt); });
+    }
 
-    std::size_t every_;
-    std::size_t step_ = 0;
+    std::size_t         every_;
+    std::vector<double> instants_;
+    std::size_t         step_ = 0;
   };
 } // namespace myolines

@@ -16,7 +16,7 @@ namespace myolines::picture
   /// Numbers at the points of a body.
   struct Field
   {
-    std::string         name;         ///< with blanks, as scenes spell it: "fibre direction x"
+    std::string         name;         ///< with blanks, as scenes spell it: "fibre direction"
     unsigned int        n_components; ///< 1 or 3
     std::vector<double> values;       ///< [points][components]
 

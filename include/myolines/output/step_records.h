@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <myolines/output/output_folder.h>
+#include <myolines/time/loop.h>
+
+#include <memory>
+
+namespace myolines
+{
+  /// Status line per step on a terminal, one line per step in run.log, always run.log; on rank 0.
+  std::unique_ptr<Observer> make_status(const OutputFolder &folder, double start, double end, bool quiet);
+  /// steps.csv: number, t, dt, outcome, iterations, residuals of every attempt, rejected ones included.
+  std::unique_ptr<Observer> make_steps_file(const OutputFolder &folder);
+} // namespace myolines

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include "kernels_sum_factorisation.h"
+#include <myolines/kernels/kernels_point.h>
+
+#include <limits>
+
+namespace myolines
+{
+  /// One batch of cells: its nodal values, its state at the Gauss points, in scratch storage, and integrals over it.
+  template <InstructionSet isa, int n1>
+  class BatchState
+  {
+  public:
+    using T                        = Lanes<isa>;
+    static constexpr int n_nodes   = n1 * n1 * n1;
+    static constexpr int max_modes = 10;
+
+    static std::size_t scratch_size(const int n, const int /*n_modes*/)
+    {
+      // Three gradients, the coefficients of the tangent, values of three components, and the volumetric columns.
+      return std::size_t(n_lanes) * (n * n * n * (9 + 9 + 9 + 81 + 3) + 2 * max_modes * 3 * n_nodes);
+    }
+
+    BatchState(const KernelTables &tables, const KernelModel &model, const KernelCells &cells, double *scratch)
+      : t(tables)
+      , m(model)
+      , cells(cells)
+      , fibres{cells.muscle, cells.muscle && m.active, m.rate, cells.tendon, &m.activation, &m.curves}
+      , n_points(t.n_points_1d * t.n_points_1d * t.n_points_1d)
+      , F(reinterpret_cast<T *>(scratch))
+      , F_rate(F + 9 * n_points)
+      , work(F_rate + 9 * n_points)
+      , coefficients(work + 9 * n_points)
+      , values(coefficients + 81 * n_points)
+      , columns(values + 3 * n_points)
+    {}
+
+    const T &inverse(const int q, const int k) const
+    {
+      return reinterpret_cast<const T *>(cells.geometry + std::size_t(q) * cells.geometry_stride)[k];
+    }
+    const T *material(const int q) const { return reinterpret_cast<const T *>(cells.material + std::size_t(q) * cells.material_stride); }
+    T        JxW(const int q) const { return inverse(q, 9) * T(t.weight[q]); }
+    T        mode(const int q, const int i) const { return T(t.modes[q * t.n_modes + i]); }
+
+    /// The points as laws see them: F of point q at F + q * stride, Fdot at F_rate + 9 q.
+    LawPoints law_points(const T *F, const int stride, const T *F_rate) const
+    {
+      return {n_points,
+              reinterpret_cast<const double *>(F),
+              std::size_t(stride) * n_lanes,
+              m.viscous ? reinterpret_cast<const double *>(F_rate) : nullptr,
+              cells.material,
+              cells.material_stride,
+              cells.geometry,
+              cells.geometry_stride,
+              t.weight,
+              &m.activation,
+              &m.curves};
+    }
+
+    void gather(const double *x, T *nodal) const
+    {
+      for (int i = 0; i < n_nodes; ++i)
+        for (int lane = 0; lane < n_lanes; ++lane)
+          {
+            const double *at = x + 3 * std::size_t(cells.nodes[i * n_lanes + lane]);
+            for (int c = 0; c < 3; ++c)
+              nodal[c * n_nodes + i].set(lane, at[c]);
+          }
+    }
+
+    void scatter(const T *nodal, double *x) const
+    {
+      for (int i = 0; i < n_nodes; ++i)
+        for (int lane = 0; lane < cells.n_filled; ++lane)
+          {
+            double *at = x + 3 * std::size_t(cells.nodes[i * n_lanes + lane]);
+            for (int c = 0; c < 3; ++c)
+              at[c] += nodal[c * n_nodes + i][lane];
+          }
+    }
+
+    /// gradient[9 q + 3 a + J] = d x_a / d X_J, and the values if wanted ([3][n_points]).
+    void evaluate_gradient(const double *x, T *gradient, T *value = nullptr)
+    {
+      T nodal[3 * n_nodes];
+      gather(x, nodal);
+      for (int a = 0; a < 3; ++a)
+        {
+          T *reference = work; // [3][n_points]
+          interpolate<n1>(t, nodal + a * n_nodes, value ? value + a * n_points : nullptr, reference);
+          for (int q = 0; q < n_points; ++q)
+            for (int J = 0; J < 3; ++J)
+              gradient[9 * q + 3 * a + J] = reference[q] * inverse(q, J) + reference[n_points + q] * inverse(q, 3 + J) +
+                                            reference[2 * n_points + q] * inverse(q, 6 + J);
+        }
+    }
+
+    void evaluate_values(const double *x)
+    {
+      T nodal[3 * n_nodes];
+      gather(x, nodal);
+      for (int a = 0; a < 3; ++a)
+        interpolate<n1>(t, nodal + a * n_nodes, values + a * n_points, static_cast<T *>(nullptr));
+    }
+
+    void evaluate_F(const double *u)
+    {
+      evaluate_gradient(u, F);
+      for (int q = 0; q < n_points; ++q)
+        for (int i = 0; i < 9; i += 4)
+          F[9 * q + i] += T(1.);
+    }
+
+    /// c = (mass of the modes)^(-1) moments
+    void project(const T *moments, T *c) const
+    {
+      const T *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
+      for (int i = 0; i < t.n_modes; ++i)
+        {
+          c[i] = T(0.);
+          for (int j = 0; j < t.n_modes; ++j)
+            c[i] += mass[i * t.n_modes + j] * moments[j];
+        }
+    }
+
+    T expand(const T *c, const int q) const
+    {
+      T x(0.);
+      for (int i = 0; i < t.n_modes; ++i)
+        x += mode(q, i) * c[i];
+      return x;
+    }
+
+    void add_moments(const T &x, const int q, T *moments) const
+    {
+      const T weighted = x * JxW(q);
+      for (int i = 0; i < t.n_modes; ++i)
+        moments[i] += mode(q, i) * weighted;
+    }
+
+    static void require_positive(const T &x, T &admissible) { admissible = select(x > T(0.), admissible, T(-1.)); }
+
+    bool filled_lanes_are(const T &admissible) const
+    {
+      for (int lane = 0; lane < cells.n_filled; ++lane)
+        if (admissible[lane] < 0)
+          return false;
+      return true;
+    }
+
+    static void clear(T *x, const int n)
+    {
+      for (int i = 0; i < n; ++i)
+        x[i] = T(0.);
+    }
+
+    /// Psi_vol' and Psi_vol'' at a point of dilatation D
+    T volumetric_stress(const int q, const T &D) const { return T(0.5) * material(q)[material_bulk] * (D - T(1.) / D); }
+    T volumetric_stiffness(const int q, const T &D) const { return T(0.5) * material(q)[material_bulk] * (T(1.) + T(1.) / (D * D)); }
+
+    /// Dilatation and pressure of the state at F, see KernelCells::local. False if J <= 0, D <= 0 or NaN in a filled lane.
+    bool volumetric_state()
+    {
+      T moments[max_modes], projected[max_modes], admissible(1.);
+      clear(moments, t.n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T J = Kinematics<T>(F + 9 * q).J;
+          require_positive(J, admissible);
+          add_moments(J, q, moments);
+        }
+      project(moments, projected);
+      const T *z = cells.local != nullptr ? reinterpret_cast<const T *>(cells.local) : projected;
+      for (int i = 0; i < t.n_modes; ++i)
+        {
+          dilatation[i] = z[i];
+          missing[i]    = projected[i] - z[i];
+        }
+      clear(moments, t.n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T D = expand(dilatation, q);
+          require_positive(D, admissible);
+          add_moments(volumetric_stress(q, D) + volumetric_stiffness(q, D) * (expand(projected, q) - D), q, moments);
+        }
+      if (cells.local == nullptr || cells.solved)
+        project(moments, pressure);
+      else
+        for (int i = 0; i < t.n_modes; ++i)
+          pressure[i] = z[t.n_modes + i];
+      return filled_lanes_are(admissible);
+    }
+
+    /// w S, S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1), at the dilatation of the state.
+    void volumetric_modes(const double w, T *S) const
+    {
+      const int n_modes = t.n_modes;
+      T         moments[max_modes * max_modes], half[max_modes * max_modes];
+      clear(moments, n_modes * n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T weight = T(w) * volumetric_stiffness(q, expand(dilatation, q)) * JxW(q);
+          for (int i = 0; i < n_modes; ++i)
+            for (int j = 0; j < n_modes; ++j)
+              moments[i * n_modes + j] += weight * mode(q, i) * mode(q, j);
+        }
+      const T *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
+      multiply(mass, moments, half);
+      multiply(half, mass, S);
+    }
+
+    void multiply(const T *x, const T *y, T *xy) const
+    {
+      const int n = t.n_modes;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          {
+            T s(0.);
+            for (int k = 0; k < n; ++k)
+              s += x[i * n + k] * y[k * n + j];
+            xy[i * n + j] = s;
+          }
+    }
+
+    /// See Kernels::advance.
+    void advance(const double *u, const double *trial_u, const double alpha, T *trial_z)
+    {
+      const T *D = reinterpret_cast<const T *>(cells.local), *p = D + t.n_modes;
+      T       *D_t = trial_z, *p_t = D_t + t.n_modes;
+      T        J[max_modes], line[max_modes], J_t[max_modes], moments[max_modes], change[max_modes], admissible(1.);
+      T       *F_t = F_rate;
+      evaluate_F(u);
+      evaluate_gradient(trial_u, F_t);
+      clear(J, t.n_modes);
+      clear(line, t.n_modes);
+      clear(J_t, t.n_modes);
+      clear(moments, t.n_modes);
+      for (int q = 0; q < n_points; ++q)
+        {
+          for (int i = 0; i < 9; i += 4)
+            F_t[9 * q + i] += T(1.);
+          const Kinematics<T> k(F + 9 * q), k_t(F_t + 9 * q);
+          T                   dF[9];
+          for (int i = 0; i < 9; ++i)
+            dF[i] = k_t.F[i] - k.F[i];
+          require_positive(k_t.J, admissible);
+          add_moments(k.J, q, J);
+          add_moments(k.J * dot(k.H, dF), q, line);
+          add_moments(k_t.J, q, J_t);
+        }
+      T projected[max_modes], linear[max_modes], projected_t[max_modes];
+      project(J, projected);
+      project(line, linear);
+      project(J_t, projected_t);
+      for (int i = 0; i < t.n_modes; ++i)
+        {
+          change[i] = T(alpha) * (projected[i] - D[i]) + linear[i];
+          D_t[i]    = D[i] + change[i];
+        }
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T at = expand(D, q);
+          require_positive(expand(D_t, q), admissible);
+          require_positive(expand(projected_t, q), admissible);
+          add_moments(T(alpha) * volumetric_stress(q, at) + volumetric_stiffness(q, at) * expand(change, q), q, moments);
+        }
+      project(moments, p_t);
+      for (int i = 0; i < t.n_modes; ++i)
+        p_t[i] += T(1 - alpha) * p[i];
+      D_t[0] = select(admissible > T(0.), D_t[0], T(std::numeric_limits<double>::quiet_NaN()));
+    }
+
+    /// Adds sum_q P : Grad N_i (flux[9 q + 3 a + J] = P_aJ JxW) and sum_q N_i values (if given) to x.
+    void add_integral(T *flux, const T *value, double *x)
+    {
+      T nodal[3 * n_nodes];
+      clear(nodal, 3 * n_nodes);
+      T *reference = coefficients;
+      for (int a = 0; a < 3; ++a)
+        {
+          if (flux)
+            for (int q = 0; q < n_points; ++q)
+              for (int A = 0; A < 3; ++A)
+                reference[A * n_points + q] = flux[9 * q + 3 * a] * inverse(q, 3 * A) + flux[9 * q + 3 * a + 1] * inverse(q, 3 * A + 1) +
+                                              flux[9 * q + 3 * a + 2] * inverse(q, 3 * A + 2);
+          integrate<n1>(t, value ? value + a * n_points : nullptr, flux ? reference : nullptr, nodal + a * n_nodes);
+        }
+      scatter(nodal, x);
+    }
+
+    const KernelTables &t;
+    const KernelModel  &m;
+    const KernelCells  &cells;
+    const FibreTerms    fibres;
+    const int           n_points;
+    T                  *F;            ///< [n_points][9]
+    T                  *F_rate;       ///< [n_points][9]
+    T                  *work;         ///< [n_points][9]
+    T                  *coefficients; ///< [9][9][n_points] of the tangent, else free
+    T                  *values;       ///< [3][n_points]
+    T                  *columns;      ///< [2][n_modes][3][n_nodes]
+    T                   dilatation[max_modes];
+    T                   pressure[max_modes];
+    T                   missing[max_modes]; ///< Pi(J) - D
+  };
+} // namespace myolines
