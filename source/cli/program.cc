@@ -68,6 +68,7 @@ namespace myolines
         add(app, "completion", "Prints the completion of its command line for bash", [this] {
           write_bash_completion(app, {{"list", list_topics()}}, out_);
         });
+        refuse_places_without_a_name();
       }
 
       CLI::App                           app{"Myolines: muscle dynamics, one system and one integrator at a time", "myolines"};
@@ -81,6 +82,14 @@ namespace myolines
         CLI::App *command = parent.add_subcommand(name, doc);
         command->callback([this, action] { chosen = action; });
         return command;
+      }
+
+      /// A variable of a shell that is not set makes one, which would be taken for the default.
+      void refuse_places_without_a_name()
+      {
+        for (CLI::App *command : app.get_subcommands({}))
+          if (CLI::Option *out = command->get_option_no_throw("--out"))
+            out->check([](const std::string &name) { return name.empty() ? "it has no name; leave --out away for the default" : ""; });
       }
 
       /// Of commands that look at one scene; studies start programs, and their scenes name plug-ins.

@@ -40,6 +40,19 @@ TEST(Run, WritesItsFolderAndSaysWhere)
 }
 
 /// On every processor that there is, the narrowest kernels do; forces of the widest agree to the tolerance of the solvers.
+TEST(Commands, RefuseAnEmptyPlaceToWriteTo)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", oscillator_scene);
+  for (const char *command : {"run scene.xml", "study scene.xml", "verify scene.xml --quantity motion.csv:u", "plot results", "report results"})
+    {
+      const Outcome outcome = run_program(folder, std::string(command) + " --out ''");
+      EXPECT_EQ(outcome.exit_code, 2) << command;
+      EXPECT_NE(outcome.err.find("it has no name"), std::string::npos) << outcome.err;
+      EXPECT_FALSE(std::filesystem::exists(folder / "results")) << command;
+    }
+}
+
 TEST(Run, HasTheKernelsThatItIsAskedFor)
 {
   const TestFolder folder;
