@@ -83,7 +83,7 @@ namespace myolines
     make_method();
     const OutputFolder nowhere = OutputFolder::nowhere();
     for (const auto &output : assembled_.make_outputs(scene_.section("output"), nowhere)) // which refuse what they cannot do
-      for (const double t : output->instants())
+      for (const double t : output->landings())
         if (t > settings_.start && t <= settings_.end)
           settings_.landings.push_back(t);
         else if (t != settings_.start)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "current_ghosts.h"
+#include <myolines/algebra/current_ghosts.h>
 
 #include <myolines/muscle3d/body_measures.h>
 #include <myolines/muscle3d/discretisation.h>

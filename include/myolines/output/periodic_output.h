@@ -20,7 +20,7 @@ namespace myolines
       , instants_(std::move(instants))
     {}
 
-    std::vector<double> instants() const final { return instants_; }
+    std::vector<double> landings() const final { return instants_; }
 
     void begin(const State &state) final
     {

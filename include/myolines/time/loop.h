@@ -47,7 +47,7 @@ namespace myolines
     virtual void end(const std::string & /*reason*/) {} ///< always called, also after a failure; "" if done
 
     /// Times at which it must see a state [s], to be landings of the loop.
-    virtual std::vector<double> instants() const { return {}; }
+    virtual std::vector<double> landings() const { return {}; }
 
     /// What it knows of the balance of energy, nullptr: nothing.
     virtual const EnergyBalance *energy_balance() const { return nullptr; }
