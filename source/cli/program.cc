@@ -12,6 +12,7 @@
 #include <myolines/cli/plugins.h>
 #include <myolines/cli/point.h>
 #include <myolines/cli/program.h>
+#include <myolines/cli/reference.h>
 #include <myolines/cli/versions.h>
 #include <myolines/compare/compare.h>
 #include <myolines/output/text_file.h>
@@ -291,10 +292,18 @@ namespace myolines
 
       void add_list()
       {
-        CLI::App *command =
-            add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] { list_command(topic_, name_, out_); });
-        command->add_option("topic", topic_, join(list_topics()))->required()->type_name("TOPIC");
-        command->add_option("name", name_, "Everything about this one")->type_name("NAME");
+        CLI::App *command = add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] {
+          if (markdown_)
+            reference_command(topic_, app, out_);
+          else
+            list_command(topic_, name_, out_);
+        });
+        command->add_option("topic", topic_, join(list_topics()))->type_name("TOPIC");
+        CLI::Option *name = command->add_option("name", name_, "Everything about this one")->type_name("NAME");
+        command
+            ->add_flag("--markdown", markdown_,
+                       "Prints the reference of the manual instead, or one page of it: " + join(reference_topics()))
+            ->excludes(name);
         add_plugins(command);
       }
 
@@ -318,7 +327,7 @@ namespace myolines
       std::ostream           &out_;
       MpiSession             &mpi_;
       std::string             topic_, name_;
-      bool                    brief_ = false;
+      bool                    brief_ = false, markdown_ = false;
       FlexodealOptions        flexodeal_;
       study::Options          study_;
       study::VerifyOptions    verify_;

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How Sphinx makes site and book of the pages in doc/. doc/manual/build calls it."""
+
+import os
+import re
+import sys
+
+here = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, here)
+
+project = "Myolines"
+author = "The Myolines developers"
+with open(os.path.join(here, "../../CMakeLists.txt"), encoding="utf-8") as file:
+    release = version = re.search(r"project\(myolines VERSION (\S+)", file.read()).group(1)
+language = "en"
+
+root_doc = "index"
+source_suffix = {".md": "markdown"}
+exclude_patterns = ["manual/_static"]
+extensions = ["myst_parser", "typeset"]
+myst_enable_extensions = ["dollarmath", "deflist"]
+myst_heading_anchors = 4
+nitpicky = True
+
+html_theme = "alabaster"
+html_title = "Myolines"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_show_copyright = False
+html_show_sphinx = False
+html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
+html_theme_options = {
+    "description": "a laboratory for muscle dynamics",
+    "fixed_sidebar": True,
+    "page_width": "1180px",
+    "sidebar_width": "260px",
+    "show_relbars": True,
+    "sidebar_collapse": True,
+}
