@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How Sphinx makes site and book of the pages in doc/. doc/manual/build calls it."""
 
+import fnmatch
 import os
 import re
 import sys
@@ -25,7 +26,7 @@ nitpicky = True
 html_theme = "alabaster"
 html_title = "Myolines"
 html_static_path = ["_static"]
-html_css_files = ["site.css"]
+html_css_files = ["site.css", ("book.css", {"media": "print"})]
 html_copy_source = False
 html_show_copyright = False
 html_show_sphinx = False
@@ -38,3 +39,20 @@ html_theme_options = {
     "show_relbars": True,
     "sidebar_collapse": True,
 }
+
+
+def add_pages_of_no_list(app, docname, source):
+    """A new page need not be named in index.md: those that no list there names stand behind the others."""
+    if docname != root_doc:
+        return
+    lists = re.findall(r"^```\{toctree\}\n(.*?)^```", source[0], re.S | re.M)
+    named = [line.strip() for text in lists for line in text.split("\n") if line.strip() and not line.startswith(":")]
+    below = [page for page in app.env.found_docs if page.startswith("manual/reference/") and page != "manual/reference/index"]
+    others = sorted(page for page in app.env.found_docs
+                    if page not in [root_doc] + named + below and not any(fnmatch.fnmatch(page, name) for name in named))
+    if others:
+        source[0] += "\n```{toctree}\n:caption: More\n:maxdepth: 1\n\n" + "\n".join(others) + "\n```\n"
+
+
+def setup(app):
+    app.connect("source-read", add_pages_of_no_list)

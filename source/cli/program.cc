@@ -247,7 +247,7 @@ namespace myolines
             ->allow_extra_args(false)
             ->type_name("FILE:COLUMN");
         command->add_option("--out", verify_.folder, "Where to write; default: results/ and \"SCENE verify\"")->type_name("DIR");
-        command->add_option("--at-most", verify_.at_most, "CPU time of a run over that of the scene; dearer ones are left out")
+        command->add_option("--at-most", verify_.at_most, "CPU time of a run over that of the scene; longer ones are left out")
             ->check(CLI::PositiveNumber)
             ->capture_default_str();
         command->add_option("--ranks", verify_.ranks, "MPI ranks of each run")->check(at_least_one())->capture_default_str();

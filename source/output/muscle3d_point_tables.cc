@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/names.h>
-#include <myolines/muscle3d/point_files.h>
+#include <myolines/muscle3d/peer_point_data.h>
 #include <myolines/output/muscle3d_fields.h>
 #include <myolines/output/periodic_output.h>
 

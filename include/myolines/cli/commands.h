@@ -20,7 +20,7 @@ namespace myolines
   struct RunOptions
   {
     std::filesystem::path    scene;
-    std::filesystem::path    folder; ///< empty: results/<name of the scene without extension>
+    std::filesystem::path    folder; ///< empty: results/ and the name of the scene without extension
     std::vector<std::string> overrides;
     bool                     quiet     = false;
     bool                     resume    = false;      ///< go on from the checkpoint in the folder

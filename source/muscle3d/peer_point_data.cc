@@ -3,7 +3,7 @@
 #include "hdf5_tables.h"
 #include "point_states.h"
 
-#include <myolines/muscle3d/point_files.h>
+#include <myolines/muscle3d/peer_point_data.h>
 
 #include <map>
 
