@@ -7,6 +7,7 @@ import re
 import sys
 
 here = os.path.dirname(os.path.abspath(__file__))
+sys.dont_write_bytecode = True  # the folder is the repository's
 sys.path.insert(0, here)
 
 project = "Myolines"

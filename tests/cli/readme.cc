@@ -67,8 +67,8 @@ TEST(Readme, ItsCommandLinesWork)
   const TestFolder folder;
   prepare(folder);
   // What its first line of all runs, by way of the script that builds; two steps with coarser elements.
-  ASSERT_EQ(run_program(folder, "run input/bodies/bipennate.xml --quiet --set system/discretisation/degree=1 --set time/end=0.02").exit_code,
-            0);
+  ASSERT_EQ(
+      run_program(folder, "run input/bodies/bipennate.xml --quiet --set system/discretisation/degree=1 --set time/end=0.02").exit_code, 0);
   EXPECT_GE(run_lines_of("README.md", folder), 4u);
 }
 
