@@ -182,10 +182,10 @@ namespace myolines
     scene::Schema schema(
         "The face moves as a rigid body: x = p + d(t) + R(t) (X - p), p a point of the body at rest. Rotations are about the axes "
         "that the ones before have turned: with the order x y z, R = R_x R_y R_z.");
-    schema.optional_text("point", "Point p [m] at rest, three numbers; default: the centre of the face.")
+    schema.optional_text("point", "Point p [m] at rest, three numbers, for example \"0.03 0.005 0\"; default: the centre of the face.")
         .choice("order", "x y z", {"x y z", "x z y", "y x z", "y z x", "z x y", "z y x"}, "Order of the rotations.")
-        .optional_text("axis x", "Direction of the axis x of translations and rotations, three numbers; default: that of the body.")
-        .optional_text("axis y", "Direction of the axis y, made perpendicular to that of x; z is across both.");
+        .optional_text("axis x", "Direction of the axis x of translations and rotations, for example \"1 1 0\"; default: that of the body.")
+        .optional_text("axis y", "Direction of the axis y, made perpendicular to that of x, for example \"0 1 0\"; z is across both.");
     for (const char *axis : axes)
       schema.optional_section(std::string("translation ") + axis, drive_schema(std::string("translation along ") + axis, "m"));
     for (const char *axis : axes)

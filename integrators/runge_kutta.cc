@@ -132,7 +132,9 @@ namespace myolines
     entry.schema.choice("table", names.front(), names, "Coefficients; \"own\": those of \"A\" and \"embedded\".")
         .text("A", "",
               "Rows of the lower triangle, with semicolons between them: \"0; 1/4 1/4\". The last one has the weights of the method.")
-        .text("embedded", "", "Weights of the method beside it whose difference is the estimated error; without them steps are doubled.");
+        .text("embedded", "",
+              "Weights of the method beside it, for example \"1/2 1/2\", whose difference is the estimated error; without them steps are "
+              "doubled.");
     declare_first_step(entry.schema);
     entry.facts_of_parameters = [](const scene::Node &node) { return facts_of_table(table_of(node)); };
     entry.derived             = [](const scene::Node &node) { return tell(facts_of(table_of(node))); };

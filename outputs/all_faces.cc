@@ -70,7 +70,7 @@ namespace myolines
       static constexpr const char *memory = "steps with force_data-3d-NNN.csv";
 
       std::filesystem::path    folder_;
-      PeerParts                parts_;
+      StressParts              parts_;
       std::size_t              n_faces_;
       std::vector<std::string> columns_;
       std::vector<double>      steps_;

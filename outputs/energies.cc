@@ -8,7 +8,7 @@ namespace myolines
   {
     return switched_series("energies", true, SeriesNeeds::nothing, "energy_data-3d.csv: work-like densities (6.2.2)-(6.2.11).",
                            [](const SeriesContext &context) -> std::unique_ptr<SeriesFile> {
-                             const PeerParts          parts(context.system.parameters());
+                             const StressParts        parts(context.system.parameters());
                              std::vector<std::string> columns{"Time [s]", "Kinetic [J/m^3]"};
                              for (const std::string &part : parts.names("Aponeurosis"))
                                columns.push_back((part == "Total" ? "Internal" : part) + " [J/m^3]");

@@ -11,7 +11,7 @@ namespace myolines
         "force_data-3d.csv: part along the line of action of the interior-point estimate (6.2.15) of the force on the force face, by "
         "part of the stress; reaction.csv has the force that balances the body.",
         [](const SeriesContext &context) -> std::unique_ptr<SeriesFile> {
-          const PeerParts            parts(context.system.parameters());
+          const StressParts          parts(context.system.parameters());
           const dealii::Tensor<1, 3> along = context.system.line_of_action().line.value().direction;
           std::vector<std::string>   columns{"Time [s]"};
           for (const std::string &part : parts.names("Apo"))

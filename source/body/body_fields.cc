@@ -25,10 +25,10 @@ namespace myolines
     return scene::Schema(
                "What varies within the body, from formulas of the reference position x, y, z [m] and of volume (the number of the group "
                "of the cell in a mesh, 0 in other bodies), or from a table.")
-        .optional_text("maximum isometric stress", "sigma0 of the muscle fibres [Pa], a formula.")
-        .optional_text("fat fraction",
-                       "Fat in the muscle [-], a formula with values in [0, 1]; the law is that of tissues/muscle/fat or its default.")
-        .optional_text("activation scale", "Factor of the activation [-], a formula with values >= 0.")
+        .optional_text("maximum isometric stress", "sigma0 of the muscle fibres [Pa], a formula, for example \"2e5*(1-10*x)\".")
+        .optional_text("fat fraction", "Fat in the muscle [-], a formula with values in [0, 1], for example \"0.1+2*x\"; the law is that "
+                                       "of tissues/muscle/fat or its default.")
+        .optional_text("activation scale", "Factor of the activation [-], a formula with values >= 0, for example \"1-5*x\".")
         .optional_text("matrix fraction",
                        "Extracellular matrix in the base material of the muscle [-], a formula with values in [0, 1]; the "
                        "base is that of type \"matrix and cells\".")

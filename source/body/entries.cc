@@ -33,7 +33,7 @@ namespace myolines
       }
     catch (const std::invalid_argument &error)
       {
-        node.refuse(parameter, error.what(), "one expression of x, y, z, " + fourth + " and pi, e.g. \"1+0.1*sin(2*pi*x)\"");
+        node.refuse(parameter, error.what(), "one expression of x, y, z, " + fourth + " and pi, for example \"1+0.1*sin(2*pi*x)\"");
       }
     return text;
   }

@@ -66,7 +66,7 @@ namespace myolines
     for (const BoundaryEntry &entry : boundary_registry())
       kinds.emplace_back(entry.name, entry.schema);
     scene::Schema each("A named condition on one face.");
-    each.text("face", std::nullopt, "Face of the body, by a name of its geometry.");
+    each.text("face", std::nullopt, "Face of the body, by a name of its geometry, for example \"x+\".");
     each.variant("type", std::nullopt, kinds, "Kind of condition.");
     return scene::Schema(
                "Boundary conditions, each a list with a name of your choice; faces without one are free of traction. Where two faces "

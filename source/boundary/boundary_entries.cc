@@ -34,8 +34,10 @@ namespace myolines
 
   void add_direction(Schema &schema, const std::string &doc)
   {
-    schema.optional_text("direction", doc + "; normalised. Default: x for a block and the idealised gastrocnemius; of a mesh the line of "
-                                            "action, towards this face from the other end.");
+    schema.optional_text(
+        "direction",
+        doc + ", for example \"1 0 0\"; normalised. Default: x for a block and the idealised gastrocnemius; of a mesh the line of "
+              "action, towards this face from the other end.");
   }
 
   Vector3 read_direction_of(const Node &node, const BoundaryReading &reading)

@@ -119,11 +119,11 @@ namespace myolines
     scene::Schema schema(
         "The line along which the body is measured. Default: x for a block and the idealised gastrocnemius; for a mesh from the "
         "centre of one held, moved or loaded face to that of another.");
-    schema.optional_text("from", "Face where the line begins, by a name of the geometry.")
-        .optional_text("to", "Face where it ends.")
-        .optional_text("direction", "Direction of the line, three numbers; default: from centre to centre.")
+    schema.optional_text("from", "Face where the line begins, by a name of the geometry, for example \"x-\".")
+        .optional_text("to", "Face where it ends, for example \"x+\".")
+        .optional_text("direction", "Direction of the line, three numbers, for example \"1 0 0\"; default: from centre to centre.")
         .optional_text("thickness",
-                       "Direction in which thickness is measured, three numbers, width being across it; default: the direction in "
+                       "Direction in which thickness is measured, for example \"0 0 1\", width being across it; default: the direction in "
                        "which the fibres of the slab lean from the line.");
     return schema;
   }

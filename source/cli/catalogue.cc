@@ -294,8 +294,8 @@ namespace myolines
     output.section("checkpoint", checkpoint_schema());
 
     Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");
-    root.text("title", "", "What this scene is about.")
-        .optional_text("plug-ins", "Plug-ins that it needs, by name, with blanks between; see: list plug-ins")
+    root.text("title", "", "What this scene is about, for example \"Isometric contraction\".")
+        .optional_text("plug-ins", "Plug-ins that it needs, by name, with blanks between, for example \"my-methods\"; see: list plug-ins.")
         .section("system", Schema("What is computed.").variant("type", std::nullopt, systems, "Kind of system."))
         .section("integrator", integrator_schema())
         .section("time", time_schema())

@@ -43,31 +43,6 @@ namespace myolines
         }
     }
 
-    std::string facts_text(const IntegratorEntry &entry)
-    {
-      const MethodFacts &facts = entry.facts;
-      std::string        text;
-      if (facts.order > 0)
-        text += "  order " + std::to_string(facts.order) + ", " + facts.stability + "\n";
-      if (entry.make_self_paced)
-        text += std::string("  steps: ") + (entry.make ? "given, or " : "") +
-                "chosen by error, by the method itself; its own Newton iteration (of solver/nonlinear only \"forcing maximum\" counts)\n";
-      else if (facts.error_exponent > 0)
-        text += std::string("  error of a step: estimated, of ") + (facts.estimates_velocity ? "u and v" : "u") + "\n";
-      else if (facts.order > 0)
-        text += std::string("  error of a step: ") +
-                (facts.doubles ? "by step doubling" : "not estimated, steps cannot be chosen by error") + "\n";
-      text += facts.dynamic ? "" : "  ignores inertia and rates\n";
-      text += unknowns_text(facts.unknowns);
-      if (facts.solves == MethodFacts::Solves::linear_systems)
-        text += "  solves linear systems and does not iterate\n";
-      if (facts.solves == MethodFacts::Solves::mass)
-        text += "  explicit: solves with the mass\n";
-      text += "  reference: " + facts.reference + "\n";
-      text += facts.restart == MethodFacts::Restart::exact ? "  restart: exact\n" : "  restart: reinitialised, the history is lost\n";
-      return text;
-    }
-
     Items integrators()
     {
       Items items;
@@ -220,6 +195,31 @@ namespace myolines
       return names;
     }
   } // namespace
+
+  std::string facts_text(const IntegratorEntry &entry)
+  {
+    const MethodFacts &facts = entry.facts;
+    std::string        text;
+    if (facts.order > 0)
+      text += "  order " + std::to_string(facts.order) + ", " + facts.stability + "\n";
+    if (entry.make_self_paced)
+      text += std::string("  steps: ") + (entry.make ? "given, or " : "") +
+              "chosen by error, by the method itself; its own Newton iteration (of solver/nonlinear only \"forcing maximum\" counts)\n";
+    else if (facts.error_exponent > 0)
+      text += std::string("  error of a step: estimated, of ") + (facts.estimates_velocity ? "u and v" : "u") + "\n";
+    else if (facts.order > 0)
+      text += std::string("  error of a step: ") + (facts.doubles ? "by step doubling" : "not estimated, steps cannot be chosen by error") +
+              "\n";
+    text += facts.dynamic ? "" : "  ignores inertia and rates\n";
+    text += unknowns_text(facts.unknowns);
+    if (facts.solves == MethodFacts::Solves::linear_systems)
+      text += "  solves linear systems and does not iterate\n";
+    if (facts.solves == MethodFacts::Solves::mass)
+      text += "  explicit: solves with the mass\n";
+    text += "  reference: " + facts.reference + "\n";
+    text += facts.restart == MethodFacts::Restart::exact ? "  restart: exact\n" : "  restart: reinitialised, the history is lost\n";
+    return text;
+  }
 
   std::vector<std::string> list_topics()
   {

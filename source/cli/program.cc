@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "flexodeal_options.h"
+#include "option_checks.h"
 #include "picture_options.h"
 
 #include <myolines/base/error.h>
@@ -12,6 +13,7 @@
 #include <myolines/cli/plugins.h>
 #include <myolines/cli/point.h>
 #include <myolines/cli/program.h>
+#include <myolines/cli/reference.h>
 #include <myolines/cli/versions.h>
 #include <myolines/compare/compare.h>
 #include <myolines/output/text_file.h>
@@ -68,7 +70,7 @@ namespace myolines
         add(app, "completion", "Prints the completion of its command line for bash", [this] {
           write_bash_completion(app, {{"list", list_topics()}}, out_);
         });
-        refuse_places_without_a_name();
+        refuse_places_without_a_name(app);
       }
 
       CLI::App                           app{"Myolines: muscle dynamics, one system and one integrator at a time", "myolines"};
@@ -82,14 +84,6 @@ namespace myolines
         CLI::App *command = parent.add_subcommand(name, doc);
         command->callback([this, action] { chosen = action; });
         return command;
-      }
-
-      /// A variable of a shell that is not set makes one, which would be taken for the default.
-      void refuse_places_without_a_name()
-      {
-        for (CLI::App *command : app.get_subcommands({}))
-          if (CLI::Option *out = command->get_option_no_throw("--out"))
-            out->check([](const std::string &name) { return name.empty() ? "it has no name; leave --out away for the default" : ""; });
       }
 
       /// Of commands that look at one scene; studies start programs, and their scenes name plug-ins.
@@ -255,7 +249,7 @@ namespace myolines
             ->allow_extra_args(false)
             ->type_name("FILE:COLUMN");
         command->add_option("--out", verify_.folder, "Where to write; default: results/ and \"SCENE verify\"")->type_name("DIR");
-        command->add_option("--at-most", verify_.at_most, "CPU time of a run over that of the scene; dearer ones are left out")
+        command->add_option("--at-most", verify_.at_most, "CPU time of a run over that of the scene; longer ones are left out")
             ->check(CLI::PositiveNumber)
             ->capture_default_str();
         command->add_option("--ranks", verify_.ranks, "MPI ranks of each run")->check(at_least_one())->capture_default_str();
@@ -300,10 +294,18 @@ namespace myolines
 
       void add_list()
       {
-        CLI::App *command =
-            add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] { list_command(topic_, name_, out_); });
-        command->add_option("topic", topic_, join(list_topics()))->required()->type_name("TOPIC");
-        command->add_option("name", name_, "Everything about this one")->type_name("NAME");
+        CLI::App *command = add(app, "list", "Lists what scenes can use: " + join(list_topics()), [this] {
+          if (markdown_)
+            reference_command(topic_, app, out_);
+          else
+            list_command(topic_, name_, out_);
+        });
+        command->add_option("topic", topic_, join(list_topics()))->type_name("TOPIC");
+        CLI::Option *name = command->add_option("name", name_, "Everything about this one")->type_name("NAME");
+        command
+            ->add_flag("--markdown", markdown_,
+                       "Prints the reference of the manual instead, or one page of it: " + join(reference_topics()))
+            ->excludes(name);
         add_plugins(command);
       }
 
@@ -327,7 +329,7 @@ namespace myolines
       std::ostream           &out_;
       MpiSession             &mpi_;
       std::string             topic_, name_;
-      bool                    brief_ = false;
+      bool                    brief_ = false, markdown_ = false;
       FlexodealOptions        flexodeal_;
       study::Options          study_;
       study::VerifyOptions    verify_;

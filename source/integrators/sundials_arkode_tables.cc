@@ -119,8 +119,8 @@ namespace myolines
                 "Diagonally implicit Runge-Kutta method; the last numbers of a name are stages, order of the error estimate, order.")
         .choice("explicit table", none, with_none(arkode_explicit_tables()),
                 "Explicit Runge-Kutta method; with an implicit one of the same name: the additive method, which needs \"split\".")
-        .optional_text(
-            "split", "What an additive method treats implicitly; a name that the system does not know is answered with those that it does.")
+        .optional_text("split", "What an additive method treats implicitly, for example \"linear\"; a name that the system does not know "
+                                "is answered with those that it does.")
         .boolean("force", false, "Runs a split that is known not to converge, and explicit steps that are not stable, too.")
         .integer(
             "most explicit steps", 1000000, scene::Range::closed(1, 2000000000),

@@ -60,7 +60,7 @@ namespace myolines
     Schema region("A part of the muscle with an activation, or excitation, of its own; none: it stays passive.");
     region.text("where", std::nullopt,
                 "Formula of x, y, z [m] and volume (the number of the group of the cell in a mesh): the region is where it is positive, "
-                "e.g. \"0.015-x\" or \"x<0.015\".");
+                "for example \"0.015-x\" or \"x<0.015\".");
     add_drives(region);
     system.optional_section(
         "activation regions",

@@ -30,7 +30,7 @@ namespace myolines
         if (!line_)
           return;
         const double tolerance = slack * line_->length;
-        const double distance  = rule_ == SlabRule::whole_cells ? distance_of(cell->center(), 0) : // exact comparison, as the peer
+        const double distance  = rule_ == SlabRule::whole_cells ? distance_of(cell->center(), 0) : // exact comparison, as Flexodeal
                                     distance_of(point_position(element_, cell, q), slack);
         if (distance > distance_ + tolerance)
           return;

@@ -46,8 +46,8 @@ namespace myolines
       Schema laplace(
           "a0 along the gradient of the solution of Laplace's equation between two faces: fibres run from face to face and along "
           "all others, Choi and Blemker (2013).");
-      laplace.text("from", std::nullopt, "Face where fibres begin, by a name of the geometry.")
-          .text("to", std::nullopt, "Face where they end.");
+      laplace.text("from", std::nullopt, "Face where fibres begin, by a name of the geometry, for example \"x-\".")
+          .text("to", std::nullopt, "Face where they end, for example \"x+\".");
       return Schema("Fibre direction at rest, of the muscle.")
           .variant("type", "pennation angle",
                    {{"pennation angle", angle}, {"direction", direction}, {"formula", formula}, {"laplace", laplace}},

@@ -11,7 +11,7 @@ namespace myolines
 {
   namespace
   {
-    const std::string expected = "\"name x y z\" with coordinates in metres, e.g. \"middle 0.015 0.005 0.005\"";
+    const std::string expected = "\"name x y z\" with coordinates in metres, for example \"middle 0.015 0.005 0.005\"";
 
     void add_marker(const std::string &text, const scene::Node &series, const std::string &parameter, std::vector<Marker> &markers)
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/names.h>
-#include <myolines/measures/peer_point_data.h>
+#include <myolines/measures/flexodeal_point_data.h>
 #include <myolines/measures/point_table.h>
 #include <myolines/observers/muscle3d_fields.h>
 #include <myolines/output/periodic_output.h>

@@ -143,7 +143,7 @@ namespace myolines
         .boolean("energy", false, "energy.csv: kinetic and stored energy of the rod.");
     add_strain_places(series, "points of the rod");
     scene::Schema states("All nodes at some instants: nodal_states.csv.");
-    states.text("times", std::nullopt, "Instants [s], separated by spaces; interpolated where no step ends.");
+    states.text("times", std::nullopt, "Instants [s], separated by spaces; interpolated where no step ends, for example \"0.1 0.2\".");
     return scene::Schema("What to write.")
         .section("series", series)
         .optional_section("nodal states", states)

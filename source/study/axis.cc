@@ -78,7 +78,7 @@ namespace myolines::study
   {
     Schema list("Values one by one.");
     list.text("parameter", std::nullopt, "Path of the parameter in the scene, \"integrator/type\".")
-        .text("values", std::nullopt, "Its values, separated by |.");
+        .text("values", std::nullopt, "Its values, separated by |, for example \"0.2 | 0.1 | 0.05\".");
     Schema group("One point of the axis; its name is the label.");
     group.text("settings", std::nullopt, "Parameters that it sets, \"time/step=0.01 | time/end=1\".");
     Schema groups("Points that set several parameters at once, a list for each.");
@@ -91,8 +91,9 @@ namespace myolines::study
                   {"log range", range_schema("Values at equal ratios.", Range::positive())},
                   {"groups", groups}},
                  "How the points are given.")
-        .text("unit", "", "Unit of the values, for pictures.")
-        .optional_text("zipped with", "An axis above of as many points: they go along together instead of being crossed.");
+        .text("unit", "", "Unit of the values, for pictures, for example \"s\".")
+        .optional_text("zipped with",
+                       "An axis above of as many points: they go along together instead of being crossed, for example \"method\".");
     return axis;
   }
 

@@ -38,7 +38,7 @@ namespace myolines::study
     Schema column_schema()
     {
       Schema schema("From a column of a time series.");
-      schema.text("column", std::nullopt, "Header of the column, with its unit.");
+      schema.text("column", std::nullopt, "Header of the column, with its unit, for example \"Total [N]\".");
       return measured(schema);
     }
 
@@ -77,7 +77,7 @@ namespace myolines::study
       Schema schema("Time series of the cases that are done, a panel for each column, a curve for each case.");
       schema.text("file", std::nullopt, "CSV file of the cases' folders, \"strain.csv\".")
           .text("columns", std::nullopt, "Headers of columns, with their units, \"a [m] | b [m]\".")
-          .text("over", "", "Header of the column that is the abscissa; the first if empty.")
+          .text("over", "", "Header of the column that is the abscissa; the first if empty, for example \"Stretch [-]\".")
           .text("of", "", "Only cases at these points of the axes, \"profile=ramp | mesh=coarse | mesh=fine\".")
           .boolean("logarithmic", false, "Whether the ordinate is; what is not positive is left out.")
           .optional_number("from", "", Range::any(), "Rows whose abscissa is before are left out.")
@@ -88,24 +88,25 @@ namespace myolines::study
     std::vector<std::pair<std::string, Schema>> kinds()
     {
       Schema sweep("Quantities over parameters.");
-      sweep.text("curves", "", "Axis whose points are curves of the pictures.")
+      sweep.text("curves", "", "Axis whose points are curves of the pictures, for example \"activation\".")
           .text("together", "", "Quantities that share a picture, \"total | active | passive\".")
-          .text("abscissa", "", "Axis along which the curves go; the first with numbers if empty.");
+          .text("abscissa", "", "Axis along which the curves go, for example \"strain\"; the first with numbers if empty.");
       Schema work_precision("What an error costs: one curve for each method.");
       work_precision
-          .text("curves", std::nullopt, "Axis whose points are the methods; there is one other, along which they become more accurate.")
-          .text("precision", std::nullopt, "Quantity that is the error.")
+          .text("curves", std::nullopt,
+                "Axis whose points are the methods; there is one other, along which they become more accurate, for example \"method\".")
+          .text("precision", std::nullopt, "Quantity that is the error, for example \"error in U\".")
           .text("work", "CPU seconds", "Quantity that is the cost, or \"CPU seconds\" of the process.")
           .optional_number("target", "", Range::positive(),
                            "Error at which equal_error.csv compares the costs, interpolated within each curve.");
       Schema convergence("Errors and their observed rates over the size of the steps or of the cells.");
-      convergence.text("curves", "", "Axis whose points are the methods.")
-          .text("sizes", std::nullopt, "Axis with the sizes: of steps, or of cells as names of groups.");
+      convergence.text("curves", "", "Axis whose points are the methods, for example \"method\".")
+          .text("sizes", std::nullopt, "Axis with the sizes: of steps, or of cells as names of groups, for example \"step\".");
       Schema map("Every case is classed: stable, oscillating, diverged, failed; doc/studies.md has the rules.");
-      map.text("abscissa", std::nullopt, "Axis of the map.")
-          .text("ordinate", std::nullopt, "Axis of the map; every point of the others gives a map of its own.")
-          .text("file", std::nullopt, "CSV file of the signal that is judged beside that of the reference.")
-          .text("column", std::nullopt, "Header of its column.")
+      map.text("abscissa", std::nullopt, "Axis of the map, for example \"step\".")
+          .text("ordinate", std::nullopt, "Axis of the map; every point of the others gives a map of its own, for example \"method\".")
+          .text("file", std::nullopt, "CSV file of the signal that is judged beside that of the reference, for example \"reaction.csv\".")
+          .text("column", std::nullopt, "Header of its column, for example \"Total [N]\".")
           .number("overshoot limit", 1, "", Range::positive(),
                   "Above, in the last quarter of the time: diverged; before: oscillating. Over the range of the reference.")
           .number("variation limit", 1.5, "", {1, 1e300, true, false},
@@ -127,7 +128,7 @@ namespace myolines::study
         .number("total", 604800, "s", Range::positive(), "Wall-clock time after which the study ends; run again, it goes on.");
 
     Schema root("Many runs of one scene, what is measured of them, and how it is shown.");
-    root.text("title", "", "What this study is about.")
+    root.text("title", "", "What this study is about, for example \"Force over length\".")
         .file("scene", "Scene that all cases start from, relative to the study.")
         .text("settings", "", "Parameters for all cases and references, \"time/end=1 | solver/nonlinear/relative tolerance=1e-12\".")
         .integer("ranks", 1, Range::closed(1, 1e6), "MPI ranks of each run; above 1, mpirun of Open MPI starts it.")

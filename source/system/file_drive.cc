@@ -170,9 +170,9 @@ namespace myolines
   {
     Schema schema("Samples in a file: comma, semicolon or tab separated under a line of names, or .sto and .mot of OpenSim (doc/data.md).");
     schema.file("file", "The file.")
-        .optional_text("column", "Name of the column of values; not needed where there is one beside the times.")
+        .optional_text("column", "Name of the column of values; not needed where there is one beside the times, for example \"EMG [mV]\".")
         .optional_text("time column", "Name of the column of times; absent: \"time\" or \"t\".")
-        .optional_text("unit", "Unit of the values where the name of the column has none; absent: [" + unit + "].")
+        .optional_text("unit", "Unit of the values where the name of the column has none, for example \"mV\"; absent: [" + unit + "].")
         .number("shift", 0, "s", Range::any(), "Is added to the times.")
         .boolean("rectify", false, "x becomes |x - mean of x|, before all that follows.")
         .optional_number("low-pass", "Hz", Range::positive(), "Cut-off frequency, at which half passes, without a shift in time.")

@@ -29,7 +29,7 @@ FENCES = (
 )
 
 # The translator names the methods of the program that it translates from.
-MAY_NAME_METHODS = ("source/cli/flexodeal.cc", "source/cli/peer_parameters.cc")
+MAY_NAME_METHODS = ("source/cli/flexodeal.cc", "source/cli/flexodeal_parameters.cc")
 
 
 def read(path):

@@ -310,6 +310,22 @@ TEST(List, EveryTopicDescribesEveryItemItNames)
     }
 }
 
+/// The manual has it as pages, which doc/check compares.
+TEST(Reference, HasEveryMethodAndRefusesOtherPages)
+{
+  const TestFolder folder;
+  const Outcome    all = run_program(folder, "list --markdown");
+  EXPECT_EQ(all.exit_code, 0);
+  for (const IntegratorEntry &integrator : integrator_registry())
+    EXPECT_NE(all.out.find("\n## " + integrator.facts.name + "\n"), std::string::npos) << integrator.facts.name;
+  for (const SystemEntry &system : system_catalogue())
+    EXPECT_NE(all.out.find("\n## " + system.name + "\n"), std::string::npos) << system.name;
+  EXPECT_NE(all.out.find("**`system/geometry/type = block`**"), std::string::npos);
+  const Outcome other = run_program(folder, "list sytems --markdown");
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("systems"), std::string::npos) << other.err;
+}
+
 TEST(Help, IsEverywhere)
 {
   const TestFolder folder;

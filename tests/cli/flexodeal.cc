@@ -130,7 +130,7 @@ TEST(Flexodeal, ParametersBecomeAScene)
   EXPECT_EQ(conditions[1].name(), "fixed end");
   EXPECT_EQ(conditions[1].text("face"), "x-");
 
-  EXPECT_EQ(scene.section("time").number("end"), 0.2) << "0.20000001 is how the peer writes 0.2";
+  EXPECT_EQ(scene.section("time").number("end"), 0.2) << "0.20000001 is how Flexodeal writes 0.2";
   EXPECT_EQ(scene.section("time").number("step"), 0.025);
   EXPECT_EQ(scene.section("time").text("boundary rates"), "scheme");
   EXPECT_EQ(scene.section("time").text("start velocity"), "impulse");

@@ -16,7 +16,7 @@ namespace myolines
       std::vector<double> kinks(double, double) const override { return {}; }
     };
 
-    /// The isometric contraction of the peer's reference runs: 3 x 1 x 1 cm, pennation 30 degrees, 64 cells, 5 points.
+    /// The isometric contraction of Flexodeal's reference runs: 3 x 1 x 1 cm, pennation 30 degrees, 64 cells, 5 points.
     Muscle3dParameters isometric()
     {
       Muscle3dParameters p       = test::small_block(2, 5, 2);

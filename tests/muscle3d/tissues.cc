@@ -74,7 +74,7 @@ namespace myolines
           g.fibre_length() * g.aponeurosis_length * std::sin(g.aponeurosis_angle() + g.pennation * dealii::numbers::PI / 180) * g.width;
       const BodyMeasures m = measure_body(system, system.initial_state(0), SlabRule::quadrature_points);
       EXPECT_NEAR(m.volume, layers + muscle, 1e-12 * muscle);
-      EXPECT_NEAR(m.volume, 3.23160080067e-04, 1e-14); // of the peer's program
+      EXPECT_NEAR(m.volume, 3.23160080067e-04, 1e-14); // of Flexodeal
       EXPECT_NEAR(m.mean_pennation, 15.3, 1e-9);
       const auto &space = *system.discretisation().space;
       for (unsigned int face = 0; face < face_names(system.parameters().geometry).size(); ++face)
@@ -128,7 +128,7 @@ namespace myolines
         return residual(system, deformed(system));
       }
 
-      /// All Gauss points with 4 per direction, last first, in the format of the peer.
+      /// All Gauss points with 4 per direction, last first, in the format of Flexodeal.
       std::filesystem::path table(const bool everything) const
       {
         Muscle3dParameters p = gastrocnemius();

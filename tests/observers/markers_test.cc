@@ -55,7 +55,7 @@ TEST(Markers, FromText)
   EXPECT_EQ(markers[1].position, dealii::Point<3>(0.015, 0, -1));
 }
 
-TEST(Markers, FromAFileInThePeersFormat)
+TEST(Markers, FromAFileInTheFormatOfFlexodeal)
 {
   test::Folder folder;
   {

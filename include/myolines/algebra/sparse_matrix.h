@@ -13,9 +13,9 @@ namespace myolines
   /// columns[row_start[i] + k]; global_column() translates. Valid while the matrix lives and its pattern stands.
   struct CompressedRows
   {
-    const int *row_start;
-    const int *columns;
-    double    *values;
+    const int *row_start; ///< where each row begins in the lists below
+    const int *columns;   ///< of the entries, row by row
+    double    *values;    ///< of the entries, row by row
   };
 
   /// Raw access to @p matrix, which must have a fixed pattern.

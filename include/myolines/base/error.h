@@ -21,10 +21,10 @@ namespace myolines
   class InputError : public std::runtime_error
   {
   public:
-    explicit InputError(std::vector<InputProblem> problems);
-    explicit InputError(InputProblem problem);
+    explicit InputError(std::vector<InputProblem> problems); ///< all problems at once
+    explicit InputError(InputProblem problem);               ///< a single problem
 
-    const std::vector<InputProblem> &problems() const { return problems_; }
+    const std::vector<InputProblem> &problems() const { return problems_; } ///< in the order in which they were found
 
   private:
     std::vector<InputProblem> problems_;
@@ -50,7 +50,7 @@ namespace myolines
   public:
     /// "cannot @p verb @p file: No space left on device", of the @p error_number that the system gave (errno).
     SystemError(const std::string &verb, const std::filesystem::path &file, int error_number);
-    explicit SystemError(const std::string &what, int error_number = 0);
+    explicit SystemError(const std::string &what, int error_number = 0); ///< @p error_number: errno of the failed call, 0: none
 
     /// errno, 0 where there is none.
     int error_number() const { return error_number_; }

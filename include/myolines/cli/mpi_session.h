@@ -22,7 +22,7 @@ namespace myolines
     /// Ends MPI before this object ends.
     void end() { mpi_.reset(); }
 
-    bool started() const { return mpi_ != nullptr; }
+    bool started() const { return mpi_ != nullptr; } ///< whether MPI runs
 
   private:
     int                                                      &argc_;

@@ -82,7 +82,7 @@ namespace myolines
     std::string      doc;
     TissueParameters defaults;
   };
-  constexpr unsigned int muscle_id = 1, aponeurosis_id = 2, tendon_id = 3; ///< as in the peer's meshes
+  constexpr unsigned int muscle_id = 1, aponeurosis_id = 2, tendon_id = 3; ///< as in Flexodeal's meshes
   /// Those that are printed in the thesis, muscle first.
   const std::vector<TissueKind> &tissue_kinds();
 

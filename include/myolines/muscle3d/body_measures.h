@@ -74,7 +74,7 @@ namespace myolines
   enum class SlabRule
   {
     quadrature_points, ///< by quadrature point, (6.2.20)
-    whole_cells        ///< by cell centre, as the peer
+    whole_cells        ///< by cell centre, as Flexodeal
   };
 
   /// Rates of work at one state [W].

@@ -14,7 +14,7 @@ namespace myolines
   void add_marker_parameters(scene::Schema &series);
 
   /// The markers of @p series: "name x y z" each [m, reference], separated by ";" in `markers`, by lines in
-  /// `markers file` (the peer's format; "#" starts a comment). Empty without either.
+  /// `markers file` (Flexodeal's format; "#" starts a comment). Empty without either.
   /// @throws InputError for a malformed or repeated marker, or if both parameters are written.
   std::vector<Marker> read_markers(const scene::Node &series);
 

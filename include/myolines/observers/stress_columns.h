@@ -9,11 +9,11 @@
 
 namespace myolines
 {
-  /// The parts that a body has, in the order of the peer's columns: total, volumetric, isochoric, then these.
-  class PeerParts
+  /// The parts that a body has, in the order of Flexodeal's columns: total, volumetric, isochoric, then these.
+  class StressParts
   {
   public:
-    explicit PeerParts(const Muscle3dParameters &parameters)
+    explicit StressParts(const Muscle3dParameters &parameters)
       : chosen_{{muscle_active, "Muscle active"}, {muscle_passive, "Muscle passive"}, {muscle_base, "Muscle base"}}
     {
       if (parameters.tissues.count(aponeurosis_id) + parameters.tissues.count(tendon_id) > 0)
@@ -25,7 +25,7 @@ namespace myolines
         laws_.push_back(law.name);
     }
 
-    /// The peer writes "Apo" in its files of forces and "Aponeurosis" in that of energies.
+    /// Flexodeal writes "Apo" in its files of forces and "Aponeurosis" in that of energies.
     std::vector<std::string> names(const std::string &aponeurosis) const
     {
       std::vector<std::string> all{"Total", "Volumetric", "Isochoric"};

@@ -25,7 +25,7 @@ namespace myolines
   scene::Schema        oscillator_schema();
   OscillatorParameters read_oscillator(const scene::Node &system);
 
-  /// One mass on a spring; the smallest system behind the waist. Unknown 0 is the mass; with a moving support unknown 1
+  /// One mass on a spring; the smallest system there is. Unknown 0 is the mass; with a moving support unknown 1
   /// is the support, prescribed as u_1 = s(t), and its row of the residual is the force the support exerts.
   /// Split `linear`: everything but the cubic spring is implicit.
   class OscillatorSystem : public SemiDiscreteSystem

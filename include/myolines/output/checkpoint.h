@@ -17,7 +17,7 @@ namespace myolines
   struct Checkpoint
   {
     std::size_t  step = 0; ///< accepted steps
-    State        state;
+    State        state;    ///< u, v, a and the time
     Archive      integrator, control, outputs;
     WorkLedger   ledger;          ///< of rank 0
     std::string  scene;           ///< every value in force, as scene.resolved.xml

@@ -23,31 +23,31 @@ namespace myolines::scene
   /// Interval of admissible numbers; an open end excludes its limit.
   struct Range
   {
-    double low       = -std::numeric_limits<double>::infinity();
-    double high      = std::numeric_limits<double>::infinity();
-    bool   low_open  = false;
-    bool   high_open = false;
+    double low       = -std::numeric_limits<double>::infinity(); ///< lower end
+    double high      = std::numeric_limits<double>::infinity();  ///< upper end
+    bool   low_open  = false;                                    ///< the lower end is excluded
+    bool   high_open = false;                                    ///< the upper end is excluded
 
-    bool        contains(double value) const;
-    std::string text() const; ///< "> 0", "in [0, 1]", "any finite number"
+    bool        contains(double value) const; ///< false for what is not a number
+    std::string text() const;                 ///< "> 0", "in [0, 1]", "any finite number"
 
-    static Range any() { return {}; }
-    static Range positive() { return {0, std::numeric_limits<double>::infinity(), true, false}; }
-    static Range not_negative() { return {0, std::numeric_limits<double>::infinity(), false, false}; }
-    static Range closed(double low, double high) { return {low, high, false, false}; }
+    static Range any() { return {}; }                                                                  ///< every finite number
+    static Range positive() { return {0, std::numeric_limits<double>::infinity(), true, false}; }      ///< > 0
+    static Range not_negative() { return {0, std::numeric_limits<double>::infinity(), false, false}; } ///< >= 0
+    static Range closed(double low, double high) { return {low, high, false, false}; }                 ///< both ends included
   };
 
   /// Declaration of one parameter: everything help, validation and the manual need.
   struct Entry
   {
-    std::string                name;
-    Kind                       kind = Kind::number;
-    std::optional<std::string> fallback;         ///< text of the default; none: the parameter is required, or optional if so marked
-    bool                       optional = false; ///< may be absent without a default; the code asks Node::has()
-    std::string                unit;             ///< "m", "Pa s", "-" for none
-    Range                      range;
-    std::vector<std::string>   choices;
-    std::string                doc; ///< one sentence
+    std::string                name;                ///< as in a scene
+    Kind                       kind = Kind::number; ///< what its text must be
+    std::optional<std::string> fallback;            ///< text of the default; none: the parameter is required, or optional if so marked
+    bool                       optional = false;    ///< may be absent without a default; the code asks Node::has()
+    std::string                unit;                ///< "m", "Pa s", "-" for none
+    Range                      range;               ///< of numbers and integers
+    std::vector<std::string>   choices;             ///< words that a choice may be
+    std::string                doc;                 ///< one sentence
 
     std::string expected() const;    ///< "a number [m] > 0", for messages
     std::string declaration() const; ///< expected() and the default, for help
@@ -59,7 +59,7 @@ namespace myolines::scene
   class Schema
   {
   public:
-    explicit Schema(std::string doc = "");
+    explicit Schema(std::string doc = ""); ///< @p doc: one sentence
 
     Schema &number(const std::string &name, std::optional<double> fallback, const std::string &unit, Range range, const std::string &doc);
     Schema &integer(const std::string &name, std::optional<int> fallback, Range range, const std::string &doc);
@@ -86,7 +86,7 @@ namespace myolines::scene
     Schema &variant(const std::string &name, std::optional<std::string> fallback, std::vector<std::pair<std::string, Schema>> alternatives,
                     const std::string &doc);
 
-    const std::string &doc() const { return doc_; }
+    const std::string &doc() const { return doc_; } ///< the sentence
 
     /// This schema, then the alternative its variant selects, then the alternative that one selects, and so on.
     /// @p selected gives the text of a selector ("" if it has none); an unknown selection ends the chain.
@@ -104,10 +104,10 @@ namespace myolines::scene
       std::string                                                  selector; ///< name of the choice Entry
       std::vector<std::pair<std::string, std::shared_ptr<Schema>>> alternatives;
     };
-    const std::vector<Entry>      &entries() const { return entries_; }
-    const std::vector<Section>    &sections() const { return sections_; }
-    const std::shared_ptr<Schema> &named() const { return named_; }
-    const std::optional<Variant>  &variant() const { return variant_; }
+    const std::vector<Entry>      &entries() const { return entries_; }   ///< parameters
+    const std::vector<Section>    &sections() const { return sections_; } ///< lists
+    const std::shared_ptr<Schema> &named() const { return named_; }       ///< of lists with free names, or nullptr
+    const std::optional<Variant>  &variant() const { return variant_; }   ///< or none
 
   private:
     Schema &add(Entry entry);

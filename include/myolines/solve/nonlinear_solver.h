@@ -14,16 +14,16 @@ namespace myolines
   /// How a nonlinear solve ended: a value, never an exception.
   struct NonlinearReport
   {
-    bool         converged    = false;
+    bool         converged    = false;        ///< whether the tolerance was met
     bool         inadmissible = false;        ///< failed because no admissible point was found along the step
     std::string  reason;                      ///< why not converged; empty if it did
     std::string  advice;                      ///< what may help against that, beside shorter steps; empty: nothing else
     bool         shorter_steps        = true; ///< whether those may help
     unsigned int iterations           = 0;    ///< Newton steps = linear solves
-    unsigned int linear_iterations    = 0;
-    unsigned int residual_evaluations = 0;
-    double       initial_residual     = 0; ///< l2 norm over free unknowns after the Dirichlet lift (to first order) [unit of F]
-    double       final_residual       = 0; ///< the same at the end
+    unsigned int linear_iterations    = 0;    ///< in all Newton steps
+    unsigned int residual_evaluations = 0;    ///< those of the line search among them
+    double       initial_residual     = 0;    ///< l2 norm over free unknowns after the Dirichlet lift (to first order) [unit of F]
+    double       final_residual       = 0;    ///< the same at the end
   };
 
   /// Inexact Newton (Eisenstat and Walker, doi:10.1137/0917003, choice 2) with a safeguarded line search: NOX drives it, or a plain loop

@@ -22,7 +22,7 @@ namespace myolines::study
   struct Options : Driver
   {
     std::filesystem::path    file;
-    std::filesystem::path    folder; ///< empty: results/<name of the study without extension>
+    std::filesystem::path    folder; ///< empty: results/ and the name of the study without extension
     std::vector<std::string> overrides;
     bool                     list = false; ///< validate and print the cases, run none
     std::string              part;         ///< as read_part() takes it; "" for all

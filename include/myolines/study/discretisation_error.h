@@ -41,6 +41,6 @@ namespace myolines::study
   /// That is Richardson's extrapolation with the factors of safety of the grid convergence index (Roache, doi:10.1115/1.2910291), by the
   /// rules of Oberkampf and Roy (doi:10.1017/CBO9780511760396, section 8.7); without a rate that of Eca and Hoekstra
   /// (doi:10.1016/j.jcp.2014.01.006). An estimate, no bound.
-  /// @param samples two or three, sizes descending at one ratio
+  /// @p samples are two or three, sizes descending at one ratio.
   DiscretisationError discretisation_error(const std::vector<Sample> &samples, std::size_t which, double order);
 } // namespace myolines::study

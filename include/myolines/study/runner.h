@@ -18,7 +18,7 @@ namespace myolines::study
     /// Runs a command line of the program in a copy of this process and returns its exit code; see Processes. If there is none, or
     /// where a case has several ranks, each case is started as a process of its own.
     std::function<int(const std::vector<std::string> &command)> run_in_copy;
-    std::filesystem::path                                       folder;        ///< of the study; runs go to cases/<name> in it
+    std::filesystem::path                                       folder;        ///< of the study; runs go to cases/NAME in it
     unsigned int                                                jobs  = 1;     ///< runs at a time
     bool                                                        retry = false; ///< cases that did not end as "done" are run again
     /// The resolved scene of a case. @throws InputError if its settings do not fit the scene.

@@ -16,7 +16,7 @@ namespace myolines
   class BandLinearisation : public Linearisation
   {
   public:
-    virtual unsigned int bandwidth() const = 0;
+    virtual unsigned int bandwidth() const = 0; ///< of the wider of both sides
 
     /// As sparse(), into @p matrix of this bandwidth.
     virtual void fill(const WeightsByOrder &weights, BandMatrix &matrix) const = 0;
@@ -33,13 +33,13 @@ namespace myolines
     /// @p orders of the unknowns in time; @p fixed: numbers of the prescribed ones, ascending, which depend on no others.
     StoredBands(std::vector<unsigned int> orders, unsigned int bandwidth, const std::vector<unsigned int> &fixed, WorkLedger &ledger);
 
-    double &stiffness(const unsigned int i, const unsigned int j) { return entries_[position(i, j)].u; }
-    double &damping(const unsigned int i, const unsigned int j) { return entries_[position(i, j)].v; }
-    double &mass(const unsigned int i, const unsigned int j) { return entries_[position(i, j)].a; }
+    double &stiffness(const unsigned int i, const unsigned int j) { return entries_[position(i, j)].u; } ///< entry of K
+    double &damping(const unsigned int i, const unsigned int j) { return entries_[position(i, j)].v; }   ///< entry of C
+    double &mass(const unsigned int i, const unsigned int j) { return entries_[position(i, j)].a; }      ///< entry of M
 
     /// K and C all zero, for a new sum over elements; M is summed only once, the first time.
     void begin();
-    bool has_mass() const { return version_ > 1; }
+    bool has_mass() const { return version_ > 1; } ///< whether there is any mass
 
     unsigned int        bandwidth() const override { return bandwidth_; }
     void                fill(const WeightsByOrder &weights, BandMatrix &matrix) const override;

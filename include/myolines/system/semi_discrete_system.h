@@ -33,7 +33,7 @@ namespace myolines
     std::vector<Split>        splits            = {};    ///< see implicit_part()
   };
 
-  /// A semi-discrete system (method of lines), the waist between time integrators and physics:
+  /// A semi-discrete system (method of lines), the interface between time integrators and physics:
   ///
   ///     R(t, u, v, a) = M a + F_int(t, u, v) - F_ext(t, u) = 0,      u = C q + g(t).
   ///

@@ -9,8 +9,8 @@ namespace myolines
 {
   struct Term
   {
-    double        factor;
-    const Vector *x;
+    double        factor; ///< of the vector
+    const Vector *x;      ///< is not owned
   };
 
   /// y = sum of factor x over the owned entries, in one pass and without temporaries. @p y has the layout of the x and may be

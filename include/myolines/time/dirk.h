@@ -21,15 +21,15 @@ namespace myolines
     /// The error of a step is estimated as dt sum_i error_i (v_i, A_i), the difference to an embedded formula; empty: it is not.
     std::vector<double> error = {};
 
-    bool   explicit_first_stage() const { return a[0][0] == 0; }
-    double c(std::size_t stage) const;
+    bool   explicit_first_stage() const { return a[0][0] == 0; } ///< the first stage is the beginning of the step
+    double c(std::size_t stage) const;                           ///< c_i, the instant of a stage within the step
   };
 
   /// Steps of a DirkTable with a solver that others may use too. Nothing is remembered from step to step.
   class DirkStepper
   {
   public:
-    DirkStepper(DirkTable table, StageSolver &solver, const IntegratorContext &context);
+    DirkStepper(DirkTable table, StageSolver &solver, const IntegratorContext &context); ///< shares @p solver
 
     /// As Integrator::step.
     StepReport step(double dt, State &state);

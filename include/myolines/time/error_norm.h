@@ -16,8 +16,8 @@ namespace myolines
       double relative; ///< of the size of the block
       double absolute; ///< [m], [m/s]
     };
-    Block                displacement;
-    std::optional<Block> velocity; ///< none: velocities are not looked at
+    Block                displacement; ///< always looked at
+    std::optional<Block> velocity;     ///< none: velocities are not looked at
 
     double solver_fraction = 0.05; ///< of the tolerances, for errors of the nonlinear solves
   };
@@ -30,9 +30,9 @@ namespace myolines
   class ErrorNorm
   {
   public:
-    ErrorNorm(const ErrorTolerances &tolerances, const SemiDiscreteSystem &system);
+    ErrorNorm(const ErrorTolerances &tolerances, const SemiDiscreteSystem &system); ///< for states of @p system
 
-    double rms(const Vector &x) const;
+    double rms(const Vector &x) const; ///< root mean square over the free unknowns
 
     /// Of the errors @p error_u [m] and @p error_v [m/s] of a step from @p begin to @p end; sizes are the larger ones at
     /// both ends. @p error_v is nullptr if it is not known.
@@ -41,8 +41,8 @@ namespace myolines
     /// Of changes c_u @p d [m], c_v @p d [m/s] at sizes @p u, @p v, in units of the fraction that nonlinear solves may leave.
     double of_solve(const Vector &d, const Weights &c, double u, double v) const;
 
-    const ErrorTolerances &tolerances() const { return tolerances_; }
-    bool                   looks_at_velocity() const { return tolerances_.velocity.has_value(); }
+    const ErrorTolerances &tolerances() const { return tolerances_; }                             ///< as given
+    bool                   looks_at_velocity() const { return tolerances_.velocity.has_value(); } ///< whether errors of velocities count
 
     /// Notes the estimate @p error in @p report and refuses the step if it exceeds 1.
     static void judge(double error, StepReport &report);

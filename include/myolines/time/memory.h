@@ -11,8 +11,8 @@ namespace myolines
   class Memory
   {
   public:
-    static Memory into(Archive &archive) { return {&archive, nullptr}; }
-    static Memory out_of(const Archive &archive) { return {nullptr, &archive}; }
+    static Memory into(Archive &archive) { return {&archive, nullptr}; }         ///< a memory that saves
+    static Memory out_of(const Archive &archive) { return {nullptr, &archive}; } ///< a memory that loads
 
     /// Puts the value into the archive, or gives it the one that is there. @throws std::out_of_range if there is none.
     void keep(const std::string &name, double &number)

@@ -25,7 +25,7 @@ namespace myolines
     /// +infinity. Keeps sub-steps of a cut-back on the grid of the plan.
     virtual double next_landing(double t) const = 0;
 
-    virtual void accepted(double t, double dt, const StepReport &report) = 0;
+    virtual void accepted(double t, double dt, const StepReport &report) = 0; ///< tells of an accepted step
 
     /// Shrinks the step. False if the bounds of the control are reached; the loop then ends with the reason.
     virtual bool rejected(double t, double dt, const StepReport &report) = 0;
@@ -33,8 +33,8 @@ namespace myolines
     /// What to try where the control gives up, for a sentence.
     virtual std::string advice() const = 0;
 
-    virtual void save(Archive &archive) const = 0;
-    virtual void load(const Archive &archive) = 0;
+    virtual void save(Archive &archive) const = 0; ///< for a checkpoint
+    virtual void load(const Archive &archive) = 0; ///< from a checkpoint
 
   protected:
     /// Whether a step from @p t is more than round-off of the time.
@@ -51,8 +51,8 @@ namespace myolines
   /// Piece "count x size" of a schedule such as "4 x 0.025; 8 x 0.0125".
   struct SchedulePiece
   {
-    unsigned int count;
-    double       size; ///< [s]
+    unsigned int count; ///< of steps
+    double       size;  ///< [s]
   };
   /// @throws InputError (through node.refuse) if the text is not a schedule.
   std::vector<SchedulePiece> parse_schedule(const std::string &text, const scene::Node &node, const std::string &parameter);

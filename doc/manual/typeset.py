@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Equations as SVG inside the pages, set by matplotlib: the site needs no script and no network, and the book the same files.
+
+The TeX that matplotlib knows: https://matplotlib.org/stable/tutorials/text/mathtext.html. Rows of a displayed equation are separated by \\\\;
+an ampersand has no meaning there.
+"""
+
+import base64
+import functools
+import html
+import io
+import re
+
+import matplotlib
+from matplotlib.font_manager import FontProperties
+from matplotlib.mathtext import MathTextParser, math_to_image
+from sphinx.errors import ExtensionError
+
+matplotlib.rcParams.update({"mathtext.fontset": "stix", "svg.fonttype": "path", "svg.hashsalt": "myolines"})
+SIZE = 11  # of letters, in points; an em of the page is as large
+
+
+@functools.lru_cache(maxsize=None)
+def image(tex, display):
+    """The SVG of one row as data, and height and depth below the line of the text, in em."""
+    text = re.sub(r"\\(ln|exp|det|tr|dev|max|min)\b(?!_)", r"\\mathrm{\1}\\,", tex)
+    if display:
+        text = text.replace(r"\frac", r"\dfrac")
+    buffer = io.BytesIO()
+    try:
+        depth = math_to_image(f"${text}$", buffer, prop=FontProperties(size=SIZE), format="svg")
+        height = MathTextParser("path").parse(f"${text}$", 72, FontProperties(size=SIZE))[1]
+    except ValueError as error:
+        raise ExtensionError(f"matplotlib cannot set ${tex}$: {error}") from error
+    data = base64.b64encode(re.sub(rb"<metadata>.*?</metadata>", b"", buffer.getvalue(), flags=re.S)).decode()
+    return data, height / SIZE, depth / SIZE
+
+
+def img(tex, display):
+    data, height, depth = image(" ".join(tex.split()), display)
+    return (f'<img class="tex" alt="{html.escape(tex, quote=True)}" style="height: {height:.3f}em; vertical-align: {-depth:.3f}em" '
+            f'src="data:image/svg+xml;base64,{data}"/>')
+
+
+def inline(translator, node):
+    translator.body.append(img(node.astext(), False))
+    raise translator_skip()
+
+
+def block(translator, node):
+    rows = [row for row in re.split(r"\\\\", node.astext()) if row.strip()]
+    translator.body.append('<div class="tex">' + "<br/>".join(img(row, True) for row in rows) + "</div>\n")
+    raise translator_skip()
+
+
+def translator_skip():
+    from docutils import nodes
+    return nodes.SkipNode()
+
+
+def setup(app):
+    app.add_html_math_renderer("matplotlib", (inline, None), (block, None))
+    app.config.html_math_renderer = "matplotlib"
+    return {"version": "1", "parallel_read_safe": True}
