@@ -46,6 +46,10 @@ namespace myolines
     virtual void last(const State &) {}
     virtual void end(const std::string & /*reason*/) {} ///< always called, also after a failure; "" if done
 
+    /// Outside of a run: its row at @p state, with the loads of @p side, whatever its instants are. Nothing for those that have no rows, or
+    /// only rows that tell of what went before.
+    virtual void measure(const State &, Side) {}
+
     /// What it knows of the balance of energy, nullptr: nothing.
     virtual const EnergyBalance *energy_balance() const { return nullptr; }
 
