@@ -9,7 +9,8 @@ debug=$root/build/debug
 
 packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundials-dev libopenmpi-dev openmpi-bin
           libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev zlib1g-dev numdiff
-          gnuplot-nox python3 libjs-three libjs-chart.js)
+          gnuplot-nox python3 libjs-three libjs-chart.js
+          pybind11-dev libpython3-dev python3-numpy python3-scipy python3-matplotlib)
 manual_packages=(python3-sphinx python3-myst-parser python3-matplotlib weasyprint fonts-dejavu-core)
 if [ "$(sed -n 's/^VERSION_ID="\([0-9]*\)"$/\1/p' /etc/os-release)" = 13 ]; then
   packages+=(mold) # the linker that deal.II asks for there; without it, a slower one links
@@ -29,7 +30,7 @@ usage: ./myolines.sh run SCENE [ARGUMENTS]   build the program if need be and ru
        ./myolines.sh test [ARGUMENTS]        build everything, run all tests (arguments go to ctest: -R NAME, -L LABEL, ...)
        ./myolines.sh build                   build the program only: build/release/myolines
        ./myolines.sh manual                  build the manual as a site and as a book: build/manual/html/index.html, build/manual/myolines.pdf
-       ./myolines.sh package                 build the Debian packages of program and library: build/release/*.deb
+       ./myolines.sh package                 build the Debian packages of program, library and Python package: build/release/*.deb
        ./myolines.sh install                 install the Debian packages that are missing
        ./myolines.sh --help | --version
 
@@ -117,7 +118,7 @@ case "$command" in
     packages+=(dpkg-dev file)
     install_packages
     build_program
-    cmake --build "$release" --target myolines_library --parallel "$(build_jobs)" >&2
+    cmake --build "$release" --target myolines_library myolines_python --parallel "$(build_jobs)" >&2
     (cd "$release" && cpack -G DEB) >&2
     ls "$release"/*.deb
     ;;

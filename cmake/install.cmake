@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # What `cmake --install` copies, and the Debian packages that `cpack` makes of it. Component runtime: program, library, manual page,
-# completion, scenes, pages, licence. Component development: headers, package configuration, name of the library for linkers.
+# completion, scenes, pages, licence. Component development: headers, package configuration, name of the library for linkers. Component
+# python: the Python package.
 include(CMakePackageConfigHelpers)
 
 # One library of all rooms, with the symbols of our name space alone: what it has of templates of others stays inside. The program
@@ -55,6 +56,10 @@ install(FILES ${CMAKE_SOURCE_DIR}/tests/support/drives.h ${CMAKE_SOURCE_DIR}/tes
   COMPONENT development)
 install(FILES ${CMAKE_SOURCE_DIR}/tests/test_main.cc DESTINATION ${suite} COMPONENT development)
 
+if(MYOLINES_PYTHON)
+  add_subdirectory(python)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "The Myolines developers")
 set(CPACK_PACKAGE_CONTACT "The Myolines developers <maintainers@myolines.invalid>")
@@ -74,4 +79,13 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libmyolines-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS libgtest-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "myolines (= ${PROJECT_VERSION}), libdeal.ii-dev, trilinos-all-dev, libsundials-dev, libopenmpi-dev")
+if(MYOLINES_PYTHON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The library from Python: scenes, runs, simulations to step, systems as operators, fits.")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-myolines)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "myolines (= ${PROJECT_VERSION}), python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy, python3-scipy")
+endif()
 include(CPack)

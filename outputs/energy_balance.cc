@@ -87,6 +87,8 @@ namespace myolines
     return switched_series("energy balance", true, SeriesNeeds::velocities,
                            "energy_balance.csv: energies, works and the drift of their balance; dynamic systems only.",
                            [](const SeriesContext &context) -> std::unique_ptr<SeriesFile> {
+                             if (context.folder.rows_are_read())
+                               return nullptr; // works are of a run, not of a state
                              const Muscle3dParameters &body    = context.system.parameters();
                              const bool                springs = std::any_of(body.boundary.begin(), body.boundary.end(),
                                                                              [](const auto &condition) { return condition->facts().supports; });

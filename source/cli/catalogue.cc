@@ -13,9 +13,11 @@
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/rod1d/rod1d_system.h>
+#include <myolines/scene/node_builder.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/system/file_drive.h>
+#include <myolines/system/steered_drive.h>
 #include <myolines/time/step_control.h>
 
 #include <algorithm>
@@ -38,22 +40,23 @@ namespace myolines
       return assembled;
     }
 
-    std::vector<const FileDrive *> files_among(const std::vector<const Drive *> &drives)
+    /// What the outside has to do with @p drives: files that they are read from, and who steers them.
+    void note_drives(const std::vector<const Drive *> &drives, AssembledSystem &assembled)
     {
-      std::vector<const FileDrive *> files;
       for (const Drive *drive : drives)
         if (const FileDrive *file = file_of(drive))
-          files.push_back(file);
-      return files;
+          assembled.files.push_back(file);
+        else if (const auto steering = steering_of(drive))
+          assembled.steered.push_back(steering);
     }
 
-    std::vector<const FileDrive *> files_of(const Muscle3dParameters &parameters)
+    std::vector<const Drive *> drives_of(const Muscle3dParameters &parameters)
     {
       std::vector<const Drive *> drives = parameters.activation_drives();
       for (const auto &condition : parameters.boundary)
         for (const Drive *drive : condition->drives())
           drives.push_back(drive);
-      return files_among(drives);
+      return drives;
     }
 
     /// @p what needs a body that is held.
@@ -83,9 +86,9 @@ namespace myolines
       const std::string why_no_line = system->line_of_action().why_none;
       AssembledSystem   assembled   = assemble(std::move(system), ledger);
       assembled.plan                = std::move(plan);
-      assembled.files               = files_of(parameters);
       assembled.warnings            = implausible_values(parameters);
-      const auto &body              = dynamic_cast<const Muscle3dSystem &>(*assembled.system);
+      note_drives(drives_of(parameters), assembled);
+      const auto &body = dynamic_cast<const Muscle3dSystem &>(*assembled.system);
       if (!parameters.dynamic)
         refuse_free_motions(body, node, "inertia", "a quasi-static system");
       assembled.require_equilibrium = [&body](const Node &time, const std::string &parameter) {
@@ -106,7 +109,7 @@ namespace myolines
     {
       const OscillatorParameters parameters = read_oscillator(node);
       AssembledSystem            assembled  = assemble(std::make_unique<OscillatorSystem>(parameters, ledger), ledger);
-      assembled.files                       = files_among({parameters.force.get(), parameters.support.get()});
+      note_drives({parameters.force.get(), parameters.support.get()}, assembled);
       return assembled;
     }
 
@@ -122,7 +125,7 @@ namespace myolines
     {
       const Rod1dParameters parameters = read_rod1d(node);
       AssembledSystem       assembled  = assemble(std::make_unique<Rod1dSystem>(parameters, ledger), ledger);
-      assembled.files                  = files_among({parameters.strain.get()});
+      note_drives({parameters.strain.get()}, assembled);
       return assembled;
     }
 
@@ -134,7 +137,7 @@ namespace myolines
       auto            plan      = system->plan();
       AssembledSystem assembled = assemble(std::move(system), ledger);
       assembled.plan            = std::move(plan);
-      assembled.files           = files_among(drives);
+      note_drives(drives, assembled);
       return assembled;
     }
 
@@ -338,20 +341,46 @@ namespace myolines
     }
   } // namespace
 
+  namespace
+  {
+    /// Loads @p plugins, the text of that parameter, and gives the schema for the system @p type, both nothing where they are not written.
+    scene::Schema schema_for(const std::optional<std::string> &plugins, const std::optional<std::string> &type, const std::string &name)
+    {
+      if (plugins)
+        load_plugins(*plugins, name + ": plug-ins");
+      const std::string where = name + ": system/type";
+      if (!type)
+        {
+          std::vector<std::string> names;
+          for (const SystemEntry &entry : system_catalogue())
+            names.push_back(entry.name);
+          throw InputError(InputProblem{where, "missing parameter \"type\"", "one of " + join(names), "Kind of system."});
+        }
+      return root_schema(system_entry(*type, where));
+    }
+
+    std::optional<std::string> text_at(const scene::RawList &root, const std::string &path)
+    {
+      const scene::RawParameter *found = scene::find_parameter(root, path);
+      return found != nullptr ? std::optional<std::string>(found->text) : std::nullopt;
+    }
+  } // namespace
+
   scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides)
   {
-    const auto texts = scene::peek_texts(file, {"plug-ins", "system/type"}, overrides);
-    if (const auto &plugins = texts[0])
-      load_plugins(*plugins, file.string() + ": plug-ins");
-    const auto       &type  = texts[1];
-    const std::string where = file.string() + ": system/type";
-    if (!type)
-      {
-        std::vector<std::string> names;
-        for (const SystemEntry &entry : system_catalogue())
-          names.push_back(entry.name);
-        throw InputError(InputProblem{where, "missing parameter \"type\"", "one of " + join(names), "Kind of system."});
-      }
-    return scene::read_scene(file, root_schema(system_entry(*type, where)), overrides, "scene", presets(file, overrides));
+    const auto          texts  = scene::peek_texts(file, {"plug-ins", "system/type"}, overrides);
+    const scene::Schema schema = schema_for(texts[0], texts[1], file.string());
+    return scene::read_scene(file, schema, overrides, "scene", presets(file, overrides));
+  }
+
+  scene::Schema schema_of(const scene::RawList &root, const std::string &name)
+  {
+    return schema_for(text_at(root, "plug-ins"), text_at(root, "system/type"), name);
+  }
+
+  scene::Node build_whole_scene(const scene::RawList &root, const std::string &name, const std::filesystem::path &folder,
+                                std::vector<InputProblem> &problems)
+  {
+    return scene::NodeBuilder(name, folder, problems).build(&root, schema_of(root, name), "", "");
   }
 } // namespace myolines

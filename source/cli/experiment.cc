@@ -221,13 +221,35 @@ namespace myolines
     return warnings;
   }
 
+  void Experiment::keep(Checkpoint &checkpoint)
+  {
+    nonlinear_.forget();
+    time_method().save(checkpoint.integrator);
+    if (control_)
+      control_->save(checkpoint.control);
+  }
+
+  void Experiment::recall(const Checkpoint &checkpoint)
+  {
+    nonlinear_.forget();
+    time_method().load(checkpoint.integrator);
+    if (control_)
+      control_->load(checkpoint.control);
+  }
+
+  void Experiment::advance(const LoopSettings &settings, State &state, const std::vector<Observer *> &observers, Keeper *keeper)
+  {
+    if (self_paced_)
+      run_loop(*assembled_.system, *self_paced_, settings, state, observers, ledger_, keeper);
+    else
+      run_loop(*assembled_.system, *integrator_, *control_, settings, state, observers, ledger_, keeper);
+  }
+
   void Experiment::resume(const Checkpoint &checkpoint)
   {
     settings_.steps_done = checkpoint.step;
     settings_.resumed    = true;
-    time_method().load(checkpoint.integrator);
-    if (control_)
-      control_->load(checkpoint.control);
+    recall(checkpoint);
     for (const auto &[name, times] : checkpoint.ledger.counts())
       ledger_.count(name, times);
     for (const auto &[phase, seconds] : checkpoint.ledger.seconds())
@@ -258,10 +280,7 @@ namespace myolines
                             {*assembled_.system, time_method(), control_.get(), observers, ledger_, scene::resolved_xml(scene_), inputs_,
                              name(instruction_set_), [this] { nonlinear_.forget(); }, [this] { return stop_signal(); }},
                             folder);
-    if (self_paced_)
-      run_loop(*assembled_.system, *self_paced_, settings_, state, observers, ledger_, &keeper);
-    else
-      run_loop(*assembled_.system, *integrator_, *control_, settings_, state, observers, ledger_, &keeper);
+    advance(settings_, state, observers, &keeper);
   }
 
   std::optional<Experiment::StepPlan> Experiment::planned_steps() const

@@ -50,15 +50,16 @@ namespace myolines
       return std::nullopt;
     }
 
-    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const bool quiet, Tally &tally, Outputs &outputs,
+    void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const RunOptions &options, Tally &tally, Outputs &outputs,
                           const StopSignals &signals)
     {
       outputs = experiment.make_outputs(folder);
-      outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, quiet));
+      outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, options.quiet));
       outputs.push_back(make_steps_file(folder));
       std::vector<Observer *> observers{&tally};
       for (const auto &output : outputs)
         observers.push_back(output.get());
+      observers.insert(observers.end(), options.watchers.begin(), options.watchers.end());
       const std::clock_t begin = std::clock();
       experiment.run(observers, folder.path, [&] { return signals.noted(); });
       folder.close();
@@ -167,12 +168,12 @@ namespace myolines
 
   void run_command(const RunOptions &options, std::ostream &out)
   {
-    const StopSignals           signals; // one that comes before the first step ends the run there, with a state to go on from
-    RunRecord                   record{options.command_line, "", iso8601_now(), "", {}, {}};
-    Experiment                  experiment(read_whole_scene(options.scene, options.overrides), chosen_set(options));
+    const StopSignals signals; // one that comes before the first step ends the run there, with a state to go on from
+    RunRecord         record{options.command_line, "", iso8601_now(), "", {}, {}};
+    Experiment        experiment(options.made ? *options.made : read_whole_scene(options.scene, options.overrides), chosen_set(options));
     const std::filesystem::path path = options.folder.empty() ? std::filesystem::path("results") / options.scene.stem() : options.folder;
     const std::string           resolved = scene::resolved_xml(experiment.scene());
-    record.scene                         = std::filesystem::absolute(options.scene).string();
+    record.scene                         = options.made ? options.scene.string() : std::filesystem::absolute(options.scene).string();
     record.inputs                        = experiment.inputs();
     record.instruction_set               = name(experiment.instruction_set());
     record.plan                          = plan_of(experiment);
@@ -180,7 +181,7 @@ namespace myolines
     record.outputs                       = experiment.output_files();
     for (const Plugin &plugin : plugins())
       record.plugins[plugin.file.string()] = plugin.brings;
-    if (writes_files())
+    if (writes_files() && !options.made)
       record.inputs[options.scene.string()] = checksum_of_file(options.scene);
 
     if (options.resume)
@@ -238,7 +239,7 @@ namespace myolines
     Tally tally;
     try
       {
-        run_with_outputs(experiment, outputs, options.quiet, tally, observers, signals);
+        run_with_outputs(experiment, outputs, options, tally, observers, signals);
       }
     catch (const SolveError &error)
       {

@@ -146,9 +146,9 @@ namespace myolines
   {
     std::vector<std::unique_ptr<Observer>> observers;
     observers.push_back(std::make_unique<Series>(output.section("series"), system, folder, ledger));
-    if (output.has("fields"))
+    if (output.has("fields") && !folder.rows_are_read())
       observers.push_back(make_fields(output.section("fields"), system, folder, ledger));
-    if (output.has("quadrature"))
+    if (output.has("quadrature") && !folder.rows_are_read())
       observers.push_back(make_point_tables(output.section("quadrature"), system, folder, ledger));
     if (output.has("motion"))
       observers.push_back(motion_of_markers(output, system, folder));

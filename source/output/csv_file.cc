@@ -93,6 +93,8 @@ namespace myolines
 
   void CsvFile::row(const std::vector<double> &values)
   {
+    if (folder_.rows_are_read())
+      return folder_.reader()(name_, columns_, values);
     std::vector<std::string> texts;
     texts.reserve(values.size());
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -26,6 +26,13 @@ namespace myolines
     return made;
   }
 
+  OutputFolder OutputFolder::read_by(RowReader reader)
+  {
+    OutputFolder made  = nowhere();
+    made.list_->reader = std::move(reader);
+    return made;
+  }
+
   std::filesystem::path OutputFolder::file(const std::string &name) const
   {
     note(name);

@@ -152,21 +152,32 @@ namespace myolines::scene
     return Reader(file, problems).list(root, "", "");
   }
 
+  namespace
+  {
+    /// The list in @p parent, made where there is none.
+    RawList &list_in(RawList &parent, const std::string &name, const bool from_override)
+    {
+      if (RawList *present = find_named(parent.lists, name))
+        return *present;
+      parent.lists.push_back({name, {}, {}, from_override});
+      return parent.lists.back();
+    }
+  } // namespace
+
+  void add_list(RawList &root, const std::string &path)
+  {
+    RawList *list = &root;
+    for (const std::string &name : split_path(path))
+      list = &list_in(*list, name, false);
+  }
+
   void set_parameter(RawList &root, const std::string &path, const std::string &text, const bool from_override)
   {
     std::vector<std::string> names = split_path(path);
     const std::string        last  = names.empty() ? "" : names.back();
     RawList                 *list  = &root;
     for (std::size_t i = 0; i + 1 < names.size(); ++i)
-      {
-        RawList *next = find_named(list->lists, names[i]);
-        if (next == nullptr)
-          {
-            list->lists.push_back({names[i], {}, {}, from_override});
-            next = &list->lists.back();
-          }
-        list = next;
-      }
+      list = &list_in(*list, names[i], from_override);
     RawParameter value{last, "", text, from_override, ""};
     if (RawParameter *present = find_named(list->parameters, last))
       {
@@ -203,7 +214,8 @@ namespace myolines::scene
           {
             const std::string path = trimmed(override_text.substr(1));
             if (!remove_entry(root, path))
-              problems.push_back({"override: unset \"" + path + "\"", "the scene does not write it", "a parameter or a list that the scene writes",
+              problems.push_back({"override: unset \"" + path + "\"", "the scene does not write it",
+                                  "a parameter or a list that the scene writes",
                                   "what is not written has its default: `myolines check` prints all values in force"});
             continue;
           }

@@ -4,6 +4,7 @@
 #include <myolines/system/drive.h>
 #include <myolines/system/drive_types.h>
 #include <myolines/system/file_drive.h>
+#include <myolines/system/steered_drive.h>
 
 #include <cmath>
 #include <sstream>
@@ -157,7 +158,8 @@ namespace myolines
          {"ramp", ramp},
          {"smooth step", smooth},
          {"sine", sine},
-         {"power", power}},
+         {"power", power},
+         {"steered", steered_schema(quantity, unit)}},
         "How the " + quantity + " varies.");
     return schema;
   }
@@ -169,6 +171,8 @@ namespace myolines
     const std::string type = node.text("type");
     if (type == "file")
       return make_file_drive(node, driven);
+    if (type == "steered")
+      return make_steered_drive(node, driven);
     if (type == "control points")
       return std::make_unique<PiecewiseDrive>(PiecewiseDrive::lines(read_points(node)));
     if (type == "spline")

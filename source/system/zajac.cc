@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/error.h>
 #include <myolines/system/sampled.h>
+#include <myolines/system/steered_drive.h>
 #include <myolines/system/zajac.h>
 
 #include <algorithm>
@@ -75,7 +77,11 @@ namespace myolines
     : zajac_(zajac)
     , excitation_(std::move(excitation))
     , table_(std::make_unique<Table>(zajac_, *excitation_))
-  {}
+  {
+    if (const auto steering = steering_of(excitation_.get()))
+      steering->refuse("the activation follows from this excitation beforehand, so that nobody can steer it",
+                       "an excitation that is known, or an activation that is steered or solved with the motion");
+  }
 
   ZajacActivation::~ZajacActivation() = default;
 

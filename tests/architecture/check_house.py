@@ -14,8 +14,11 @@ import sys
 
 LONGEST_FILE = 400
 LARGEST_ROOM = 0.12  # of the lines of all rooms
-SCANNED = ("include", "source", "integrators", "boundary", "outputs")
+SCANNED = ("include", "source", "integrators", "boundary", "outputs", "python")
 ROOM_OF_REGISTRY = {"integrators": "integrators", "boundary": "boundary", "outputs": "observers"}
+ROOM_OF_FOLDER = {**ROOM_OF_REGISTRY, "python": "python"}
+# Linked with all rooms at once: the program and what is made of the library.
+NO_TARGETS = ("main", "python")
 CODE = (".h", ".cc", ".py", ".sh")
 LICENCE = "SPDX-License-Identifier: LGPL-2.1-or-later"
 
@@ -25,6 +28,7 @@ FENCES = (
     ("NOX, Belos, Anasazi, ML and Amesos", r"\bNOX(::|_)|\b(Belos|Anasazi)(::|\w*\.hpp)|\bML_(Epetra|\w+\.h)|\bml_\w+\.h|\bAmesos\w*[:.]", ("source/solve",)),
     ("XML of Teuchos", r"\bTeuchos_XML\w*|\bTeuchos::XML\w*|Xml(File|String|Stream)\b", ("source/scene",)),
     ("SQLite", r"\bsqlite3_\w+|[<\"]sqlite3\.h", ("source/study",)),
+    ("pybind11", r"[<\"]pybind11/|\bpybind11::|\bPYBIND11_", ("python/source",)),
     ("SUNDIALS", r"[<\"](sundials|arkode|cvodes?|idas?|kinsol|nvector)/", ("integrators/sundials_", "source/integrators/sundials_", "include/myolines/integrators/sundials_")),
 )
 
@@ -61,8 +65,8 @@ def reachable(table, room):
 
 def room_of(path):
     parts = path.split("/")
-    if parts[0] in ROOM_OF_REGISTRY:
-        return ROOM_OF_REGISTRY[parts[0]]
+    if parts[0] in ROOM_OF_FOLDER:
+        return ROOM_OF_FOLDER[parts[0]]
     inside = parts[2:] if parts[0] == "include" else parts[1:]
     return inside[0] if len(inside) > 1 else os.path.splitext(inside[0])[0]
 
@@ -117,7 +121,7 @@ def cmake_violations(root, table):
         below = re.search(r"BELOW ([\w ]*?)(?: SOURCES|$)", rest)
         declared[name] = below.group(1).split() if below else []
     for room in sorted(set(table) | set(declared)):
-        if room != "main" and sorted(table.get(room, [])) != sorted(declared.get(room, [])):
+        if room not in NO_TARGETS and sorted(table.get(room, [])) != sorted(declared.get(room, [])):
             found.append(f"CMakeLists.txt: the room {room} links {declared.get(room)}, doc/architecture.md says {table.get(room)}")
     return found
 
@@ -223,6 +227,7 @@ PLANTED = (
     ("source/cli/planted.cc", "Teuchos::XMLObject object;\n", "XML of Teuchos may be named only"),
     ("source/cli/planted3.cc", "#include <sqlite3.h>\n", "SQLite may be named only"),
     ("source/time/planted2.cc", "#include <arkode/arkode.h>\n", "SUNDIALS may be named only"),
+    ("source/cli/planted5.cc", "#include <pybind11/pybind11.h>\n", "pybind11 may be named only"),
     ("source/attic/planted.cc", "int x;\n", "the room attic is not in the table"),
     ("source/scene/planted.cc", '#include "../time/loop.h"\n', "a quoted include leaves its folder"),
     ("tests/base/planted.cc", "\n" * (LONGEST_FILE + 1), f"more than {LONGEST_FILE}"),

@@ -33,5 +33,18 @@ for file in "$prefix/bin/myolines" "$library"; do
   [ -z "$unknown" ] || fail "$file links $unknown, of which doc/install.md does not tell the licence"
   readelf -d "$file" | grep -E "(RPATH|RUNPATH).*$build" && fail "$file looks for libraries in the build folder"
 done
+# The Python package, where it was built, finds the library and the program beside it.
+package=$prefix/lib/python3/dist-packages/myolines
+if [ -d "$package" ]; then
+  python=$(sed -n 's/^_Python_EXECUTABLE:INTERNAL=//p' "$build/CMakeCache.txt")
+  found=$(cd / && PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$(dirname "$package") "$python" -c \
+    'import myolines; from myolines import program; print(myolines.Scene.template("oscillator").check(), program.find())')
+  [ "$found" = "[] $prefix/bin/myolines" ] || fail "the installed Python package says: $found"
+  module=$(find "$package" -name '_core*.so')
+  needed=$(readelf -d "$module" | sed -n 's/.*(NEEDED).*\[\(lib\)\?\(.*\)\]/\2/p')
+  unknown=$(grep -vE "^($allowed|myolines)[.-]" <<<"$needed" || true)
+  [ -z "$unknown" ] || fail "$module links $unknown, of which doc/install.md does not tell the licence"
+  readelf -d "$module" | grep -E "(RPATH|RUNPATH).*$build" && fail "$module looks for libraries in the build folder"
+fi
 leaks=$(grep -rlF "$build" "$prefix" || true)
 [ -z "$leaks" ] || fail "paths of the build folder are in $leaks"

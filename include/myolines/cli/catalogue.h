@@ -4,6 +4,7 @@
 #include <myolines/base/lanes.h>
 #include <myolines/base/registry.h>
 #include <myolines/output/output_folder.h>
+#include <myolines/scene/document.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/ledger.h>
 #include <myolines/system/semi_discrete_system.h>
@@ -18,6 +19,7 @@
 namespace myolines
 {
   class FileDrive;
+  class Steering;
 
   /// A system as a scene describes it.
   struct AssembledSystem
@@ -30,7 +32,8 @@ namespace myolines
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
 
-    std::vector<const FileDrive *> files; ///< that drive the system
+    std::vector<const FileDrive *>         files;   ///< that drive the system
+    std::vector<std::shared_ptr<Steering>> steered; ///< what else drives it and is set while it runs
 
     /// Throws an InputError at the place it gets where the system has no equilibrium to start from; empty: it always has.
     std::function<void(const scene::Node &time, const std::string &parameter)> require_equilibrium;
@@ -95,4 +98,13 @@ namespace myolines
   /// Reads and validates @p file. Its plug-ins are loaded first (plugins.h); the outputs that a scene may ask for depend on its
   /// system/type, which is looked at next.
   scene::Node read_whole_scene(const std::filesystem::path &file, const std::vector<std::string> &overrides = {});
+
+  /// The schema of the scene @p root, which has been parsed but not validated; @p name stands for its file in messages. Its plug-ins are
+  /// loaded first. @throws InputError if it does not say which system it is of.
+  scene::Schema schema_of(const scene::RawList &root, const std::string &name);
+
+  /// The scene @p root, validated, with the first values of what it lacks and problems of what is wrong; relative paths start from
+  /// @p folder. @p problems gets everything that is wrong, and the node is of use only if that is nothing.
+  scene::Node build_whole_scene(const scene::RawList &root, const std::string &name, const std::filesystem::path &folder,
+                                std::vector<InputProblem> &problems);
 } // namespace myolines

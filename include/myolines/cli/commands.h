@@ -2,9 +2,11 @@
 #pragma once
 
 #include <myolines/cli/mpi_session.h>
+#include <myolines/scene/scene.h>
 #include <myolines/study/command.h>
 #include <myolines/study/verify.h>
 #include <myolines/time/integrator.h>
+#include <myolines/time/loop.h>
 
 #include <filesystem>
 #include <optional>
@@ -28,6 +30,9 @@ namespace myolines
     std::string              program   = "myolines"; ///< as it was called, for hints
     std::string              command_line;           ///< for the manifest
     std::string              instruction_set;        ///< of the cell kernels; empty: the widest that the processor has
+
+    std::optional<scene::Node> made;     ///< the scene itself, made by a program: `scene` only names it, and nothing overrides it
+    std::vector<Observer *>    watchers; ///< who else watches the run
   };
   void run_command(const RunOptions &options, std::ostream &out);
 

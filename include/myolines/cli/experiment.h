@@ -61,6 +61,17 @@ namespace myolines
     /// That the outputs of the scene will write, see OutputFolder::noted().
     const std::set<std::string> &output_files() const { return output_files_; }
 
+    /// Advances @p state to the end of @p settings by run_loop(), with the method and the control of the scene.
+    void advance(const LoopSettings &settings, State &state, const std::vector<Observer *> &observers, Keeper *keeper = nullptr);
+
+    /// Drops what solvers keep from step to step.
+    void forget() { nonlinear_.forget(); }
+
+    /// Puts what method and control remember into @p checkpoint, or gives it back to them. What solvers keep is dropped both times, so that
+    /// one that goes on and one that comes back later are bit-equal.
+    void keep(Checkpoint &checkpoint);
+    void recall(const Checkpoint &checkpoint);
+
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.
     void resume(const Checkpoint &checkpoint);
 

@@ -23,6 +23,7 @@ namespace myolines
     CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns);
 
     /// One number per column; numbers read back exactly, and what is not a number leaves its cell empty (OutputFolder::leave_empty()).
+    /// The rows of a folder that is read go to its reader instead.
     /// @throws std::logic_error if the count differs from the header.
     void row(const std::vector<double> &values);
 

@@ -36,6 +36,7 @@ namespace myolines
     void resume(const State &state, std::size_t) final;
     void restarted(const State &state) final { last_ = state; }
     void accepted(const State &state, const StepRecord &record) final;
+    void measure(const State &state, Side) final { write(state.t, state); }
     void save(Archive &archive) const override { archive.put(name_, written_); }
 
   protected:

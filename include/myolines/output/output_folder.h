@@ -5,6 +5,7 @@
 #include <myolines/system/archive.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <set>
@@ -25,6 +26,15 @@ namespace myolines
 
     /// No folder: outputs that are made with it refuse what they cannot do, and open no file.
     static OutputFolder nowhere();
+
+    /// Takes the rows of a table: its name, its columns, the numbers.
+    using RowReader = std::function<void(const std::string &, const std::vector<std::string> &, const std::vector<double> &)>;
+
+    /// No folder: rows of tables go to @p reader, on all ranks, and nothing else is written; outputs that write other files are not made.
+    static OutputFolder read_by(RowReader reader);
+
+    bool             rows_are_read() const { return static_cast<bool>(list_->reader); }
+    const RowReader &reader() const { return list_->reader; }
 
     std::filesystem::path path;
     const Archive        *saved; ///< nullptr in a run from its start; borrowed
@@ -57,6 +67,7 @@ namespace myolines
       std::set<std::string>                        names;
       std::map<std::string, std::set<std::string>> empty;
       std::vector<std::shared_ptr<File>>           open;
+      RowReader                                    reader;
       bool                                         spares_others = false;
       bool                                         nowhere       = false;
     };

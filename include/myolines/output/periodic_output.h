@@ -44,6 +44,8 @@ namespace myolines
         write(state, Side::left, step_);
     }
 
+    void measure(const State &state, const Side side) final { write(state, side, step_); }
+
   protected:
     virtual void write(const State &state, Side side, std::size_t step) = 0;
 

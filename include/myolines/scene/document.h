@@ -35,6 +35,9 @@ namespace myolines::scene
   /// Sets the parameter at @p path ("time/step"), making the lists on the way where there are none.
   void set_parameter(RawList &root, const std::string &path, const std::string &text, bool from_override);
 
+  /// Makes the list at @p path, and those on the way, as a file does that writes them; nothing where they are there.
+  void add_list(RawList &root, const std::string &path);
+
   /// Removes the parameter or list at @p path; false: there is none.
   bool remove_entry(RawList &root, const std::string &path);
 

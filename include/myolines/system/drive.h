@@ -28,7 +28,7 @@ namespace myolines
     virtual bool identically_zero() const { return false; }
   };
 
-  /// Parameters of a drive: `type` (constant, control points, spline, ramp, smooth step, sine, power) and what each type needs.
+  /// Parameters of a drive: `type` (constant, control points, spline, ramp, smooth step, sine, power, steered) and what each type needs.
   /// @p quantity and @p unit name what is driven, for the documentation ("boundary strain", "-").
   scene::Schema drive_schema(const std::string &quantity, const std::string &unit);
 

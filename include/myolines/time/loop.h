@@ -48,6 +48,9 @@ namespace myolines
 
     /// Times at which it must see a state [s], to be landings of the loop.
     virtual std::vector<double> landings() const { return {}; }
+    /// Outside of a run: its row at @p state, with the loads of @p side, whatever its instants are. Nothing for those that have no rows, or
+    /// only rows that tell of what went before.
+    virtual void measure(const State &, Side) {}
 
     /// What it knows of the balance of energy, nullptr: nothing.
     virtual const EnergyBalance *energy_balance() const { return nullptr; }
