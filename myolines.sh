@@ -11,7 +11,6 @@ packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundia
           libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev zlib1g-dev numdiff
           gnuplot-nox python3 libjs-three libjs-chart.js
           pybind11-dev libpython3-dev python3-numpy python3-scipy python3-matplotlib)
-manual_packages=(python3-sphinx python3-myst-parser python3-matplotlib weasyprint fonts-dejavu-core)
 if [ "$(sed -n 's/^VERSION_ID="\([0-9]*\)"$/\1/p' /etc/os-release)" = 13 ]; then
   packages+=(mold) # the linker that deal.II asks for there; without it, a slower one links
 fi
@@ -29,9 +28,9 @@ usage: ./myolines.sh run SCENE [ARGUMENTS]   build the program if need be and ru
                                              the same with any other command of the program (myolines --help)
        ./myolines.sh test [ARGUMENTS]        build everything, run all tests (arguments go to ctest: -R NAME, -L LABEL, ...)
        ./myolines.sh build                   build the program only: build/release/myolines
-       ./myolines.sh manual                  build the manual as a site and as a book: build/manual/html/index.html, build/manual/myolines.pdf
        ./myolines.sh package                 build the Debian packages of program, library and Python package: build/release/*.deb
        ./myolines.sh install                 install the Debian packages that are missing
+       ./myolines.sh manual                  build the manual as a site and as a book: build/manual/html/index.html, build/manual/myolines.pdf
        ./myolines.sh --help | --version
 
 Missing Debian packages are installed by every command when it runs as root; otherwise they are named (exit code 2).
@@ -123,7 +122,7 @@ case "$command" in
     ls "$release"/*.deb
     ;;
   manual) # without a build of the program: its pages have what it prints
-    packages=("${manual_packages[@]}")
+    packages=(python3-sphinx python3-myst-parser python3-matplotlib weasyprint fonts-dejavu-core)
     install_packages
     exec "$root/doc/manual/build" "$root/build/manual"
     ;;

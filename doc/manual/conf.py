@@ -15,6 +15,7 @@ author = "The Myolines developers"
 with open(os.path.join(here, "../../CMakeLists.txt"), encoding="utf-8") as file:
     release = version = re.search(r"project\(myolines VERSION (\S+)", file.read()).group(1)
 language = "en"
+smartquotes = False  # quotes are code more often than not, primes are derivatives
 
 root_doc = "index"
 source_suffix = {".md": "markdown"}
@@ -55,5 +56,31 @@ def add_pages_of_no_list(app, docname, source):
         source[0] += "\n```{toctree}\n:caption: More\n:maxdepth: 1\n\n" + "\n".join(others) + "\n```\n"
 
 
+# What a reader meets first on any page leads to what it is.
+NAMES = (r"[Tt]hesis", r"Flexodeal(?: Lite)?", r"errata \d+", r"independent program")
+
+
+def say_who_is_meant(app, docname, source):
+    """Of each of the NAMES the first one in the prose of a page is a link to the glossary."""
+    if docname == root_doc or docname == "manual/glossary" or docname.startswith("manual/reference/"):
+        return
+    target = "../" * docname.count("/") + "manual/glossary.md#names"
+    lines, fenced, commented = source[0].split("\n"), False, False
+    for name in NAMES:
+        for i, line in enumerate(lines):
+            fenced ^= line.startswith("```")
+            commented = (commented or line.startswith("<!--")) and "-->" not in line
+            if fenced or commented or line.startswith(("#", "|", "    ", "```", "<!--", "!")) or re.search(r"`[^`]*$", re.sub(r"`[^`]*`", "", line)):
+                continue
+            code = [match.span() for match in re.finditer(r"`[^`]*`|\[[^\]]*\]\([^)]*\)|\[[^\]]*$|^[^\[]*\]\(|\*[^*]*\*|https?:\S+", line)]
+            match = next((m for m in re.finditer(rf"\b{name}\b", line) if not any(a <= m.start() < b for a, b in code)), None)
+            if match:
+                lines[i] = line[:match.start()] + f"[{match.group()}]({target})" + line[match.end():]
+                break
+        fenced = commented = False
+    source[0] = "\n".join(lines)
+
+
 def setup(app):
     app.connect("source-read", add_pages_of_no_list)
+    app.connect("source-read", say_who_is_meant)

@@ -7,8 +7,10 @@ an ampersand has no meaning there.
 
 import base64
 import functools
+import glob
 import html
 import io
+import os
 import re
 
 import matplotlib
@@ -58,7 +60,29 @@ def translator_skip():
     return nodes.SkipNode()
 
 
+def without_current_colour(svg):
+    """A drawing of gnuplot for WeasyPrint, which does not know the colour currentColor: marks have a copy for every colour instead."""
+    svg = re.sub(r"""(<g\b[^>]*\bcolor=(["'])([^"']*)\2[^>]*\bstroke=)(["'])currentColor\4""", r"\1\4\3\4", svg)
+    marks = re.findall(r"^\s*<[^>]*\bid='gp\w+'[^>]*/>\n", svg, re.M)
+    mark = re.compile(r"(<use xlink:href='#gp\w+)('[^>]*\bcolor=')([^']*)'")
+    colours = sorted({match.group(3) for match in mark.finditer(svg)})
+    copies = "".join(re.sub(r"((?:id='|#)gp\w+)'", rf"\1_{number}'", line).replace("currentColor", colour)
+                     for number, colour in enumerate(colours) for line in marks)
+    svg = mark.sub(lambda match: f"{match.group(1)}_{colours.index(match.group(3))}{match.group(2)}{match.group(3)}'", svg)
+    return svg.replace(marks[0], copies + marks[0], 1).replace("currentColor", "black") if marks else svg
+
+
+def prepare_book(app, exception):
+    if exception is None and app.builder.name == "singlehtml":
+        for path in glob.glob(os.path.join(app.outdir, "_images", "*.svg")):
+            with open(path, encoding="utf-8") as file:
+                svg = file.read()
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(without_current_colour(svg))
+
+
 def setup(app):
+    app.connect("build-finished", prepare_book)
     app.add_html_math_renderer("matplotlib", (inline, None), (block, None))
     app.config.html_math_renderer = "matplotlib"
     return {"version": "1", "parallel_read_safe": True}

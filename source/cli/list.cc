@@ -5,6 +5,7 @@
 #include <myolines/cli/commands.h>
 #include <myolines/cli/fit.h>
 #include <myolines/cli/plugins.h>
+#include <myolines/cli/reference.h>
 #include <myolines/materials/laws.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>

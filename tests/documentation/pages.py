@@ -25,7 +25,6 @@ import sys
 # Turns of no language, private words, and what they are called in the field.
 FORBIDDEN = {
     r"\bpeers?\b": "Flexodeal, or an independent program",
-    r"\bwaist\b": "interface",
     r"\bdear(er|est)?\b": "expensive",
     r"\btold apart\b": "distinguished",
     r"\bthereof\b|\bhereby\b|\bwherein\b": "plain words",
@@ -43,7 +42,7 @@ FORBIDDEN = {
     r"\be\.g\.|\bi\.e\.": "for example, that is",
 }
 # Private words of this project: terms of the glossary, or not used.
-DEFINED = ["kink", "ledger", "lift", "land on", "slab", "overshoot", "ringing", "drift", "event", "restart", "case", "setting", "scene", "study", "profile",
+DEFINED = ["kink", "waist", "ledger", "lift", "land on", "slab", "overshoot", "ringing", "drift", "event", "restart", "case", "setting", "scene", "study", "profile",
            "room", "registry", "plug-in", "manifest", "checkpoint", "cut", "independent program", "errata N", "the thesis", "rank"]
 AVERAGE = 25
 FOLDERS = ("input", "integrators", "boundary", "outputs", "source", "include", "tests", "examples", "doc", "cmake")

@@ -5,7 +5,6 @@
 #include <myolines/scene/scene.h>
 #include <myolines/study/command.h>
 #include <myolines/study/verify.h>
-#include <myolines/time/integrator.h>
 #include <myolines/time/loop.h>
 
 #include <filesystem>
@@ -72,9 +71,6 @@ namespace myolines
   std::vector<std::string> list_topics();
   /// All items of a topic with a sentence each, or, with a @p name, everything about that one.
   void list_command(const std::string &topic, const std::string &name, std::ostream &out);
-
-  /// What is known of a method: order, stability, estimate of its error, systems, reference; indented lines.
-  std::string facts_text(const IntegratorEntry &entry);
 
   /// Prints a complete commented scene; without an @p integrator with the method to begin with and steps chosen by error.
   void template_command(const std::string &system, const std::string &integrator, std::ostream &out);

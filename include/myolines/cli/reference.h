@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/time/integrator.h>
+
 #include <ostream>
 #include <string>
 #include <vector>
@@ -12,6 +14,9 @@ namespace CLI
 
 namespace myolines
 {
+  /// What is known of a method: order, stability, estimate of its error, systems, reference; indented lines.
+  std::string facts_text(const IntegratorEntry &entry);
+
   /// The pages of the reference, in the order in which they are read.
   std::vector<std::string> reference_topics();
 
