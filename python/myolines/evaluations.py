@@ -44,7 +44,7 @@ class Result(NamedTuple):
 def carry_out(task: Task, folder: str) -> Result:
     """Runs a task in this process. What is wrong with the scene is raised, a solve that fails is a result."""
     document = _core.Document(task.xml, task.name, ".")
-    document.set([tuple(setting) for setting in task.settings])
+    document.set(task.settings)
     try:
         _core.run(document, folder, False, True, True, None, "")
     except errors.SolveError as error:
@@ -185,7 +185,7 @@ def serve() -> None:
     os.dup2(2, 1)  # what else is printed does not come between
     for line in sys.stdin:
         (xml, name, settings, wanted), folder = json.loads(line)
-        task = Task(xml, name, tuple(map(tuple, settings)), tuple(map(tuple, wanted)))
+        task = Task(xml, name, tuple((path, text) for path, text in settings), tuple((table, column) for table, column in wanted))
         try:
             reply: Dict[str, Any] = {"result": carry_out(task, folder)}
         except errors.InputError as error:

@@ -192,10 +192,12 @@ class _Model:
                 points.append(point)
             steps.append(ends[1] - ends[0])
         found = self._all(points)
+        residuals = []
         for one in found:
             if isinstance(one, str):
                 raise SolveError(f"A run for the derivatives failed: {one}")
-        return np.stack([(found[2 * i + 1] - found[2 * i]) / steps[i] for i in range(len(z))], axis=1)  # type: ignore[operator]
+            residuals.append(one)
+        return np.stack([(residuals[2 * i + 1] - residuals[2 * i]) / steps[i] for i in range(len(z))], axis=1)
 
     def by_column(self, weighted: np.ndarray) -> List[np.ndarray]:
         ends = np.cumsum([len(column.x) for column in self._columns])[:-1]

@@ -26,7 +26,6 @@ def find() -> str:
         if place and os.path.isfile(place) and os.access(place, os.X_OK):
             return os.path.normpath(place)
     _core.refuse("MYOLINES_PROGRAM", "there is no program \"myolines\"", "the program beside the package, in PATH, or named by this variable")
-    raise AssertionError
 
 
 def environment() -> Dict[str, str]:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import html
 import os
 import warnings
-from typing import Any, Dict, Iterator, Mapping, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from . import _core
 from .errors import InputError
 
 Path = Union[str, "os.PathLike[str]"]
-_VALUES = {"number": float, "integer": int, "boolean": lambda text: text == "true"}
+_VALUES: Dict[str, Callable[[str], Any]] = {"number": float, "integer": int, "boolean": lambda text: text == "true"}
 
 
 def _text(value: Any) -> str:
@@ -158,7 +158,9 @@ class Scene(List):
     """
 
     def __init__(self, file: Optional[Path] = None, *, _document: Any = None):
-        document = _document if _document is not None else _core.Document.from_file(os.fspath(file))
+        if _document is None and file is None:
+            raise TypeError("a scene is of a file, of a text (from_xml), or an example (template)")
+        document = _document if file is None else _core.Document.from_file(os.fspath(file))
         object.__setattr__(self, "_document", document)
         super().__init__(self, "")
 
@@ -253,7 +255,6 @@ class Scene(List):
         names = [item["name"] for item in contents["items"]]
         hint = _core.nearest_hint(name, names, "nearest valid name") or "valid names: " + ", ".join(names)
         _core.refuse(f"{self.name}: {path}", f'unknown parameter "{name}"', "a name that is declared here", hint)
-        raise AssertionError
 
     def _value(self, path: str) -> Any:
         item = self._item(path)

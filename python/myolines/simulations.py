@@ -25,15 +25,16 @@ def course(value: Callable[[float], float], first: Optional[Callable[[float], fl
     def sided(function: Optional[Callable[[float], float]]) -> Optional[Callable[[float, str], float]]:
         if function is None:
             return None
+        known = function
         if not kinks:
-            return lambda t, side: float(function(t))
+            return lambda t, side: float(known(t))
         places = np.asarray(kinks, dtype=float)
 
         def value_of_side(t: float, side: str) -> float:
             near = np.abs(places - t) <= 1e-12 * max(1.0, abs(t))
             if near.any():
                 t = float(np.nextafter(places[near][0], -np.inf if side == "left" else np.inf))
-            return float(function(t))
+            return float(known(t))
 
         return value_of_side
 
@@ -160,7 +161,7 @@ class Simulation:
     def measures(self) -> Dict[str, Dict[str, float]]:
         """What the tables of a run would say of the present state: table to column to number. The scene's list `output` chooses. At a time
         at which something was set, it is what was before."""
-        return self._core.measure()  # type: ignore[no-any-return]
+        return self._core.measure()
 
     def measure(self, name: str, table: str = "") -> float:
         """One of these numbers: measure("tendon force/F0"), measure("Force [N]", "reactions")."""

@@ -39,21 +39,21 @@ class System:
 
     def initial_state(self, t: float = 0.0) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         """u, v, a with which a run begins at t [s]."""
-        return self._core.initial_state(t)  # type: ignore[no-any-return]
+        return self._core.initial_state(t)
 
     def prescribed(self, t: float, u: np.ndarray, v: np.ndarray, a: np.ndarray, side: str = "left") -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         """The same with constrained unknowns where they are at t [s]; at a kink on that side of it."""
-        return self._core.prescribed(t, u, v, a, side)  # type: ignore[no-any-return]
+        return self._core.prescribed(t, u, v, a, side)
 
     def residual(self, t: float, u: np.ndarray, v: Optional[np.ndarray] = None, a: Optional[np.ndarray] = None, side: str = "left") -> np.ndarray:
         """R(t, u, v, a) [N]; in rows of prescribed unknowns it is the reaction. NaN where the state is inadmissible, see why_inadmissible()."""
         zero = np.zeros_like(u)
-        return self._core.residual(t, u, zero if v is None else v, zero if a is None else a, side)[0]  # type: ignore[no-any-return]
+        return self._core.residual(t, u, zero if v is None else v, zero if a is None else a, side)[0]
 
     def why_inadmissible(self, t: float, u: np.ndarray, v: Optional[np.ndarray] = None, a: Optional[np.ndarray] = None, side: str = "left") -> Optional[str]:
         """Why there is no residual; None where there is one."""
         zero = np.zeros_like(u)
-        return self._core.residual(t, u, zero if v is None else v, zero if a is None else a, side)[1]  # type: ignore[no-any-return]
+        return self._core.residual(t, u, zero if v is None else v, zero if a is None else a, side)[1]
 
     def linearise(self, t: float, u: np.ndarray, v: Optional[np.ndarray] = None, a: Optional[np.ndarray] = None, side: str = "left") -> "Linearised":
         """K = dR/du, C = dR/dv and M = dR/da at an admissible point."""
@@ -70,7 +70,7 @@ class System:
 
     def gathered(self, x: np.ndarray) -> np.ndarray:
         """All entries of all ranks, on all of them, in an order that does not depend on how many ranks there are."""
-        return self._core.gathered(x)  # type: ignore[no-any-return]
+        return self._core.gathered(x)
 
 
 class Linearised:
@@ -89,7 +89,7 @@ class Linearised:
 
     def apply(self, x: np.ndarray, u: float = 0.0, v: float = 0.0, a: float = 0.0) -> np.ndarray:
         """J x, on any number of ranks."""
-        return self._core.apply(np.ravel(x), u, v, a)  # type: ignore[no-any-return]
+        return self._core.apply(np.ravel(x), u, v, a)
 
     def matrix(self, u: float = 0.0, v: float = 0.0, a: float = 0.0) -> Any:
         """J of the free unknowns as a scipy.sparse.csr_matrix: rows and columns of constrained ones are empty, what hangs on free ones is
@@ -121,7 +121,7 @@ class Linearised:
         solved = self._core.solve(b, u, v, a, tolerance)
         if not solved["converged"]:
             raise SolveError(f'The linear system cannot be solved: {solved["reason"]}.')
-        return solved["x"]  # type: ignore[no-any-return]
+        return solved["x"]
 
     def preconditioner(self, u: float = 0.0, v: float = 0.0, a: float = 0.0, tolerance: float = 1e-1) -> Any:
         """Roughly J^-1 as a LinearOperator, a solve() to the tolerance: for scipy.sparse.linalg.gmres and eigenvalue solvers. On one rank."""

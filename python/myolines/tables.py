@@ -29,7 +29,7 @@ class Table(Mapping[str, np.ndarray]):
     `units` has the unit of every column. Numbers that are not defined are NaN; columns that hold words are arrays of objects.
     """
 
-    def __init__(self, columns: Mapping[str, Sequence[Any]], name: str = ""):
+    def __init__(self, columns: Mapping[str, Union[Sequence[Any], np.ndarray]], name: str = ""):
         self.name = name
         self._columns: Dict[str, np.ndarray] = {key: np.asarray(values) for key, values in columns.items()}
 
@@ -58,7 +58,6 @@ class Table(Mapping[str, np.ndarray]):
         known = [*self._columns, *(split_column(key)[0] for key in self._columns)]
         hint = f'it may be any of {", ".join(meant)}' if meant else _core.nearest_hint(name, known, "nearest")
         _core.refuse(self.name or "table", f'no column "{name}"', "one of " + ", ".join(self._columns), hint)
-        raise AssertionError
 
     def __getitem__(self, name: str) -> np.ndarray:
         return self._columns[self.column(name)]
@@ -99,7 +98,7 @@ class Table(Mapping[str, np.ndarray]):
         return f"<Table {self.name!r}: {self.n_rows} rows, {', '.join(self._columns)}>"
 
     def _repr_html_(self) -> str:
-        shown = list(range(self.n_rows)) if self.n_rows <= 12 else [*range(6), None, *range(self.n_rows - 6, self.n_rows)]
+        shown: List[Optional[int]] = list(range(self.n_rows)) if self.n_rows <= 12 else [*range(6), None, *range(self.n_rows - 6, self.n_rows)]
         lines = ["<table><tr>" + "".join(f"<th>{html.escape(key)}</th>" for key in self._columns) + "</tr>"]
         for row in shown:
             cells = ["…" if row is None else _shown(values[row]) for values in self._columns.values()]
