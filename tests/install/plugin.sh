@@ -77,19 +77,21 @@ cat >study.xml <<TEXT
     </ParameterList>
   </ParameterList>
   <ParameterList name="quantities">
-    <ParameterList name="energy">
-      <Parameter name="file" type="string" value="energy.csv"/>
-      <Parameter name="column" type="string" value="Energy [J]"/>
+    <ParameterList name="displacement">
+      <Parameter name="file" type="string" value="trajectory.csv"/>
+      <Parameter name="column" type="string" value="Displacement [m]"/>
+      <Parameter name="measure" type="string" value="final"/>
     </ParameterList>
   </ParameterList>
 </ParameterList>
 TEXT
 mv prefix/lib/myolines/plugins away
-refused 'unknown' study study.xml --out study
+refused '"rho bathe" is not a valid choice' study study.xml --out study
 "$myolines" study study.xml --plugin build/methods.so --out study --quiet
 [ "$(grep -c done study/study.csv)" = 2 ] || fail "the study has not run: $(cat study/study.csv)"
 "$myolines" study study.xml --plugin build/methods.so --list | grep -- '--plugin' >/dev/null || fail "the list of cases does not name it"
-"$myolines" verify "$scene" --plugin build/methods.so --set "integrator/type=rho bathe" --set time/end=1 --quantity "energy.csv:Energy [J]" --out verify --quiet
+"$myolines" verify "$scene" --plugin build/methods.so --set "integrator/type=rho bathe" --set time/end=1 --quantity "trajectory.csv:Displacement [m]" \
+  --out verify --quiet
 mv away prefix/lib/myolines/plugins
 
 # Built with something else.
