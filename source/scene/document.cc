@@ -203,7 +203,8 @@ namespace myolines::scene
           {
             const std::string path = trimmed(override_text.substr(1));
             if (!remove_entry(root, path))
-              problems.push_back({"override: unset \"" + path + "\"", "the scene does not write it", "a parameter or a list that the scene writes",
+              problems.push_back({"override: unset \"" + path + "\"", "the scene does not write it",
+                                  "a parameter or a list that the scene writes",
                                   "what is not written has its default: `myolines check` prints all values in force"});
             continue;
           }

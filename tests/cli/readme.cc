@@ -41,8 +41,8 @@ TEST(Readme, ItsCommandLinesWork)
   std::filesystem::create_symlink(myolines::test::program_file(), folder / "build/release/myolines");
   std::filesystem::create_symlink(myolines::test::source_folder() + "/input", folder / "input");
   // What its first line of all runs, by way of the script that builds; two steps with coarser elements.
-  ASSERT_EQ(run_program(folder, "run input/bodies/bipennate.xml --quiet --set system/discretisation/degree=1 --set time/end=0.02").exit_code,
-            0);
+  ASSERT_EQ(
+      run_program(folder, "run input/bodies/bipennate.xml --quiet --set system/discretisation/degree=1 --set time/end=0.02").exit_code, 0);
   std::string script = "set -e\nexport GNUTERM=dumb\n";
   unsigned    n      = 0;
   for (const std::string &line : command_lines())
