@@ -11,7 +11,8 @@ packages=(g++ cmake ninja-build ccache libdeal.ii-dev trilinos-all-dev libsundia
           libopenblas0 libgtest-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev libsqlite3-dev zlib1g-dev numdiff
           gnuplot-nox python3 libjs-three libjs-chart.js
           pybind11-dev libpython3-dev python3-numpy python3-scipy python3-matplotlib)
-if [ "$(sed -n 's/^VERSION_ID="\([0-9]*\)"$/\1/p' /etc/os-release)" = 13 ]; then
+debian=$(sed -n 's/^VERSION_ID="\([0-9]*\)"$/\1/p' /etc/os-release 2>/dev/null || true)
+if [ "$debian" = 13 ]; then
   packages+=(mold) # the linker that deal.II asks for there; without it, a slower one links
 fi
 
@@ -104,6 +105,7 @@ command=${1:-}
 case "$command" in
   test)
     shift
+    [ "$debian" = 12 ] && packages+=(clang-format-14) # that of .clang-format, which 13 does not have
     install_packages
     build_all
     exec ctest --test-dir "$release" --output-on-failure --parallel "$(build_jobs)" "$@"

@@ -1,16 +1,88 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# myolines_add_plugin(NAME FILES...): the plug-in NAME.so of sources like those that are built in. Each thing that they bring is a function
-# without arguments that returns an entry, `IntegratorEntry houbolt_entry()`; they are found in the sources by this form.
+# myolines_add_plugin(NAME FILES... [LAWS my_law.h ...]): the plug-in NAME.so of sources like those that are built in. Each thing that FILES
+# bring is a function without arguments that returns an entry, `IntegratorEntry houbolt_entry()`; they are found in the sources by this form.
+# A law is a header, my_law.h with the struct MyLaw, and is compiled for every instruction set that the kernels of the program are.
 # NAME has small letters, digits and hyphens. `cmake --install` puts the plug-in where the program looks for it, if the prefix is the same.
 set(MYOLINES_PLUGIN_SOURCE ${CMAKE_CURRENT_LIST_DIR}/plugin_source.cc.in)
+set(MYOLINES_INSTRUCTION_SETS ${CMAKE_CURRENT_LIST_DIR}/instruction_sets.cmake)
+
+# The struct of FILE: MyLaw of my_law.h.
+function(myolines_law_of_file file law)
+  get_filename_component(words ${file} NAME_WE)
+  string(REPLACE "_" ";" words ${words})
+  set(name "")
+  foreach(word IN LISTS words)
+    string(SUBSTRING ${word} 0 1 first)
+    string(SUBSTRING ${word} 1 -1 rest)
+    string(TOUPPER ${first} first)
+    string(APPEND name ${first}${rest})
+  endforeach()
+  file(STRINGS ${file} heads REGEX "struct ${name}([^A-Za-z0-9_]|$)")
+  if(NOT heads)
+    message(FATAL_ERROR "myolines_add_plugin: ${file} has no struct ${name}")
+  endif()
+  set(${law} ${name} PARENT_SCOPE)
+endfunction()
+
+# Kernels of the laws of FILES, a source for each instruction set; ADDITIONS gets what enters the laws.
+function(myolines_add_laws name files includes declarations additions)
+  include(${MYOLINES_INSTRUCTION_SETS})
+  set(headers "")
+  set(laws "")
+  foreach(file IN LISTS files)
+    get_filename_component(file ${file} ABSOLUTE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    myolines_law_of_file(${file} law)
+    list(APPEND laws ${law})
+    string(APPEND headers "#include \"${file}\"\n")
+  endforeach()
+  set(tables "")
+  foreach(set IN LISTS instruction_sets)
+    set(table "const LawKernels plugin_law_kernels_${set}[]")
+    string(APPEND tables "  extern ${table};\n")
+    set(kernels "")
+    foreach(law IN LISTS laws)
+      string(APPEND kernels "    make_law_kernels<InstructionSet::${set}, ${law}>(),\n")
+    endforeach()
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}_laws_${set}.cc)
+    file(CONFIGURE OUTPUT ${source} CONTENT "// Written by myolines_add_plugin(${name} ...).
+#include <myolines/materials/law_batch.h>
+${headers}
+namespace myolines
+{
+  extern ${table};
+  ${table} = {
+${kernels}  };
+} // namespace myolines
+")
+    target_sources(${name} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${kernel_options};${options_${set}}" SKIP_UNITY_BUILD_INCLUSION ON)
+  endforeach()
+  set(calls "")
+  set(number 0)
+  foreach(law IN LISTS laws)
+    set(of_law "")
+    foreach(set IN LISTS instruction_sets)
+      list(APPEND of_law "myolines::plugin_law_kernels_${set}[${number}]")
+    endforeach()
+    list(JOIN of_law ", " of_law)
+    string(APPEND calls "  entries.add(myolines::law_kind<myolines::${law}>({${of_law}}));\n")
+    math(EXPR number "${number} + 1")
+  endforeach()
+  set(${includes} "#include <myolines/materials/law_kind.h>\n${headers}" PARENT_SCOPE)
+  set(${declarations} "${tables}" PARENT_SCOPE)
+  set(${additions} "${calls}" PARENT_SCOPE)
+endfunction()
 
 function(myolines_add_plugin name)
   if(NOT name MATCHES "^[a-z0-9][a-z0-9-]*$")
     message(FATAL_ERROR "myolines_add_plugin: \"${name}\" is no name of a plug-in: small letters, digits and hyphens")
   endif()
+  cmake_parse_arguments(PARSE_ARGV 1 plugin "" "" "LAWS")
+  set(includes "")
   set(declarations "")
   set(additions "")
-  foreach(file IN LISTS ARGN)
+  foreach(file IN LISTS plugin_UNPARSED_ARGUMENTS)
     get_filename_component(file ${file} ABSOLUTE)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(STRINGS ${file} heads REGEX "^ *[A-Za-z0-9]+Entry +[a-z0-9_]+\\(\\)$")
@@ -21,11 +93,16 @@ function(myolines_add_plugin name)
       string(APPEND additions "  entries.add(myolines::${call});\n")
     endforeach()
   endforeach()
+  add_library(${name} MODULE ${plugin_UNPARSED_ARGUMENTS} ${CMAKE_CURRENT_BINARY_DIR}/${name}_plugin.cc)
+  if(plugin_LAWS)
+    myolines_add_laws(${name} "${plugin_LAWS}" includes tables calls)
+    string(APPEND declarations "${tables}")
+    string(APPEND additions "${calls}")
+  endif()
   if(additions STREQUAL "")
-    message(FATAL_ERROR "myolines_add_plugin(${name}): no source has a line like \"IntegratorEntry my_method_entry()\"")
+    message(FATAL_ERROR "myolines_add_plugin(${name}): no source has a line like \"IntegratorEntry my_method_entry()\", and there are no laws")
   endif()
   configure_file(${MYOLINES_PLUGIN_SOURCE} ${CMAKE_CURRENT_BINARY_DIR}/${name}_plugin.cc @ONLY)
-  add_library(${name} MODULE ${ARGN} ${CMAKE_CURRENT_BINARY_DIR}/${name}_plugin.cc)
   # What it needs of Myolines is in the program that loads it.
   target_link_libraries(${name} PRIVATE Myolines::headers)
   set_target_properties(${name} PROPERTIES PREFIX "" SUFFIX .so CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)

@@ -44,7 +44,7 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/MyolinesConfig.cmake.in 
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/MyolinesConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/MyolinesConfig.cmake ${CMAKE_BINARY_DIR}/MyolinesConfigVersion.cmake ${CMAKE_BINARY_DIR}/MyolinesHeaders.cmake
               ${CMAKE_CURRENT_LIST_DIR}/MyolinesPlugin.cmake ${CMAKE_CURRENT_LIST_DIR}/MyolinesSuite.cmake
-              ${CMAKE_CURRENT_LIST_DIR}/plugin_source.cc.in
+              ${CMAKE_CURRENT_LIST_DIR}/plugin_source.cc.in ${CMAKE_CURRENT_LIST_DIR}/instruction_sets.cmake
   DESTINATION ${package_folder} COMPONENT development)
 
 # The suite for methods of one's own, in the folders that its includes expect.

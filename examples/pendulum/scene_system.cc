@@ -43,9 +43,11 @@ namespace myolines
   {
     SystemEntry entry;
     entry.name   = "pendulum";
-    entry.schema = scene::Schema("A pendulum of 1 m that is let go at rest.");
-    entry.schema.number("angle", 60, "degrees", scene::Range{0, 180, true, true}, "Where it begins; 0 hangs.");
-    entry.output   = scene::Schema("What to write: angle.csv, always.");
+    entry.schema = [] {
+      return scene::Schema("A pendulum of 1 m that is let go at rest.")
+          .number("angle", 60, "degrees", scene::Range{0, 180, true, true}, "Where it begins; 0 hangs.");
+    };
+    entry.output   = [] { return scene::Schema("What to write: angle.csv, always."); };
     entry.example  = {{"title", "A pendulum"}, {"time/end", "2"}, {"time/step", "0.01"}};
     entry.variants = {{"", {}}};
     entry.make     = make;

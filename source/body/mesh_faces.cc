@@ -161,9 +161,9 @@ namespace myolines
         return std::count(owner_.begin(), owner_.end(), first) == static_cast<std::ptrdiff_t>(different.size()) ? first : none;
       }
 
-      const PlainMesh               &mesh_;
-      MeshBody                      &body_;
-      const MeshRefusal             &refuse_;
+      const PlainMesh                &mesh_;
+      MeshBody                       &body_;
+      const MeshRefusal              &refuse_;
       std::vector<PlainMesh::Element> outside_; ///< seen from outside
       std::map<FaceKey, std::size_t>  place_;   ///< in outside_
       std::vector<unsigned int>       owner_;   ///< place in the names of faces

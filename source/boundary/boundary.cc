@@ -12,21 +12,20 @@ namespace myolines
 #include "../../boundary/list.def"
 #undef MYOLINES_BOUNDARY_CONDITION
 
-  const std::vector<BoundaryEntry> &boundary_registry()
+  Registry<BoundaryEntry> &boundary_registry()
   {
-    static const std::vector<BoundaryEntry> entries = {
+    static Registry<BoundaryEntry> registry("boundary condition", {
 #define MYOLINES_BOUNDARY_CONDITION(name) name##_condition(),
 #include "../../boundary/list.def"
 #undef MYOLINES_BOUNDARY_CONDITION
-    };
-    return entries;
+                                                                  });
+    return registry;
   }
 
   const BoundaryEntry &boundary_entry(const std::string &name)
   {
-    for (const BoundaryEntry &entry : boundary_registry())
-      if (entry.name == name)
-        return entry;
+    if (const BoundaryEntry *entry = boundary_registry().find(name))
+      return *entry;
     throw std::out_of_range("no boundary condition is called \"" + name + "\"");
   }
 

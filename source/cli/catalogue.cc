@@ -213,41 +213,40 @@ namespace myolines
           {"title", "A muscle with its tendon in a synthetic gait"}, {"time/end", "2"}, {"time/step", "1e-3"}};
       const std::vector<scene::Setting> relaxing{{"title", "An active muscle at fixed length"}, {"time/end", "10"}, {"time/step", "1e-3"}};
       const SystemVariant               unknown_activation{"activation unknown", {{"system/activation", "unknown"}}};
-      return {
-          {"muscle 3d",
-           muscle3d_schema(),
-           muscle3d_output_schema(),
-           isometric,
-           {{"dynamic", {}}, {"quasi-static", {{"system/inertia", "quasi-static"}}}},
-           make_muscle3d,
-           muscle3d_size,
-           {"geometry/refinement", true, "discretisation/degree", "discretisation/quadrature points"}},
-          {"muscle-tendon unit",
-           muscle_tendon_unit_schema(),
-           muscle_tendon_output_schema(),
-           walking,
-           {{"masses", {}}, {"massless", {{"system/masses", "0"}}}, unknown_activation},
-           make_muscle_tendon_unit,
-           muscle_tendon_unit_size,
-           {"masses"}},
-          {"continuum muscle",
-           continuum_muscle_schema(),
-           muscle_tendon_output_schema(),
-           walking,
-           {{"", {}}, unknown_activation},
-           make_continuum_muscle,
-           continuum_muscle_size,
-           {"elements", false, "degree"}},
-          {"isometric chain",
-           isometric_chain_schema(),
-           isometric_chain_output_schema(),
-           relaxing,
-           {{"", {}}},
-           make_isometric_chain,
-           isometric_chain_size,
-           {"elements"}},
-          {"rod 1d", rod1d_schema(), rod1d_output_schema(), stretched, {{"", {}}}, make_rod1d, rod1d_size, {"elements", false, "degree"}},
-          {"oscillator", oscillator_schema(), oscillator_output_schema(), swinging, {{"", {}}}, make_oscillator, oscillator_size, {}}};
+      return {{"muscle 3d",
+               muscle3d_schema,
+               muscle3d_output_schema,
+               isometric,
+               {{"dynamic", {}}, {"quasi-static", {{"system/inertia", "quasi-static"}}}},
+               make_muscle3d,
+               muscle3d_size,
+               {"geometry/refinement", true, "discretisation/degree", "discretisation/quadrature points"}},
+              {"muscle-tendon unit",
+               muscle_tendon_unit_schema,
+               muscle_tendon_output_schema,
+               walking,
+               {{"masses", {}}, {"massless", {{"system/masses", "0"}}}, unknown_activation},
+               make_muscle_tendon_unit,
+               muscle_tendon_unit_size,
+               {"masses"}},
+              {"continuum muscle",
+               continuum_muscle_schema,
+               muscle_tendon_output_schema,
+               walking,
+               {{"", {}}, unknown_activation},
+               make_continuum_muscle,
+               continuum_muscle_size,
+               {"elements", false, "degree"}},
+              {"isometric chain",
+               isometric_chain_schema,
+               isometric_chain_output_schema,
+               relaxing,
+               {{"", {}}},
+               make_isometric_chain,
+               isometric_chain_size,
+               {"elements"}},
+              {"rod 1d", rod1d_schema, rod1d_output_schema, stretched, {{"", {}}}, make_rod1d, rod1d_size, {"elements", false, "degree"}},
+              {"oscillator", oscillator_schema, oscillator_output_schema, swinging, {{"", {}}}, make_oscillator, oscillator_size, {}}};
     }
 
     Schema integrator_schema()
@@ -286,14 +285,14 @@ namespace myolines
   {
     std::vector<std::pair<std::string, Schema>> systems;
     for (const SystemEntry &entry : system_catalogue())
-      systems.emplace_back(entry.name, entry.schema);
+      systems.emplace_back(entry.name, entry.schema());
 
     Schema solver("Solvers of the implicit stages.");
     solver.section("nonlinear", NonlinearSolver::schema())
         .section("linear", LinearSolver::linear_schema())
         .section("preconditioner", LinearSolver::preconditioner_schema());
 
-    Schema output = output_of.output;
+    Schema output = output_of.output();
     output.section("checkpoint", checkpoint_schema());
 
     Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");

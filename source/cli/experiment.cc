@@ -186,7 +186,8 @@ namespace myolines
   {
     std::vector<const scene::Node *> lists;
     const scene::Node               &output = scene_.section("output");
-    for (const scene::Schema::Section &section : system_entry(scene_.section("system").text("type"), "").output.sections())
+    const scene::Schema              schema = system_entry(scene_.section("system").text("type"), "").output();
+    for (const scene::Schema::Section &section : schema.sections())
       for (const scene::Entry &entry : section.schema->entries())
         if (entry.name == "interval" && output.has(section.name))
           lists.push_back(&output.section(section.name));

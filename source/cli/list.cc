@@ -7,6 +7,7 @@
 #include <myolines/cli/plugins.h>
 #include <myolines/cli/reference.h>
 #include <myolines/materials/laws.h>
+#include <myolines/boundary/boundary.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>
 #include <myolines/study/study.h>
@@ -56,7 +57,10 @@ namespace myolines
     {
       Items items;
       for (const SystemEntry &entry : system_catalogue())
-        items.push_back({entry.name, entry.schema.doc(), describe(entry.schema)});
+        {
+          const Schema schema = entry.schema();
+          items.push_back({entry.name, schema.doc(), describe(schema)});
+        }
       return items;
     }
 
@@ -107,7 +111,8 @@ namespace myolines
 
     Items tissues()
     {
-      for (const Schema::Section &section : system_entry("muscle 3d", "catalogue").schema.sections())
+      const Schema muscle = system_entry("muscle 3d", "catalogue").schema();
+      for (const Schema::Section &section : muscle.sections())
         if (section.name == "tissues")
           return sections(*section.schema);
       throw std::logic_error("the muscle has no list of tissues");
@@ -126,7 +131,7 @@ namespace myolines
     {
       Items items{{"checkpoint", checkpoint_schema().doc(), describe(checkpoint_schema())}};
       for (const SystemEntry &entry : system_catalogue())
-        for (const Item &item : sections(entry.output))
+        for (const Item &item : sections(entry.output()))
           items.push_back({item.name + " of " + entry.name, item.summary, item.details});
       return items;
     }
@@ -160,6 +165,7 @@ namespace myolines
           {"systems", all_of(systems)},
           {"tissues", all_of(tissues)},
           {"laws", all_of([] { return alternatives(*laws_schema().named()); })},
+          {"boundary conditions", all_of([] { return alternatives(*boundary_schema().named()); })},
           {"profiles", all_of([] { return alternatives(drive_schema("driven quantity", "unit of the driven quantity")); })},
           {"preconditioners", all_of([] { return alternatives(LinearSolver::preconditioner_schema()); })},
           {"outputs", all_of(outputs)},

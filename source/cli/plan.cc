@@ -48,7 +48,7 @@ namespace myolines
   std::vector<std::string> skipped_outputs(const Experiment &experiment)
   {
     const scene::Node       &output = experiment.scene().section("output");
-    const scene::Schema     &schema = system_entry(experiment.scene().section("system").text("type"), "").output;
+    const scene::Schema      schema = system_entry(experiment.scene().section("system").text("type"), "").output();
     std::vector<std::string> lines;
     for (const scene::Schema::Section &section : schema.sections())
       if (!output.has(section.name))

@@ -6,6 +6,7 @@
 #include <myolines/cli/plugins.h>
 #include <myolines/output/version.h>
 #include <myolines/scene/numbers.h>
+#include <myolines/scene/scene.h>
 
 #include <dlfcn.h>
 
@@ -183,6 +184,15 @@ namespace myolines
           }
         load_plugin(*found, where);
       }
+  }
+
+  void load_plugins_of_run(const std::filesystem::path &run)
+  {
+    const std::filesystem::path scene = run / "scene.resolved.xml";
+    if (!std::filesystem::exists(scene))
+      return;
+    if (const auto names = scene::peek_text(scene, "plug-ins"))
+      load_plugins(*names, scene.string() + ": plug-ins");
   }
 
   std::vector<std::pair<std::string, std::string>> load_all_plugins()

@@ -86,7 +86,6 @@ namespace myolines
         return command;
       }
 
-      /// Of commands that look at one scene; studies start programs, and their scenes name plug-ins.
       void add_plugins(CLI::App *command)
       {
         command->add_option("--plugin", plugins, "Loads a plug-in from this file; may be repeated")
@@ -97,11 +96,6 @@ namespace myolines
       void add_scene_options(CLI::App *command)
       {
         add_plugins(command);
-        add_overrides(command);
-      }
-
-      void add_overrides(CLI::App *command)
-      {
         command->add_option("--set", run.overrides, "Overrides a value of the scene: \"time/step=1e-3\"; may be repeated")
             ->allow_extra_args(false)
             ->type_name("PATH=VALUE");
@@ -206,8 +200,11 @@ namespace myolines
 
       void add_study()
       {
-        CLI::App *command = add(app, "study", "Runs many variants of a scene and tabulates what is asked of them; see: list studies",
-                                [this] { study_command(study_, run.quiet, mpi_, out_); });
+        CLI::App *command =
+            add(app, "study", "Runs many variants of a scene and tabulates what is asked of them; see: list studies", [this] {
+              study_.plugins = plugins;
+              study_command(study_, run.quiet, mpi_, out_);
+            });
         command->add_option("study", study_.file, "The study")->required()->type_name("STUDY.xml");
         command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
         command->add_option("--jobs", study_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
@@ -227,6 +224,7 @@ namespace myolines
             ->needs(emit)
             ->capture_default_str();
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
+        add_plugins(command);
         command->add_option("--set", study_.overrides, "Overrides a value of the study: \"budget/total=60\"; may be repeated")
             ->allow_extra_args(false)
             ->type_name("PATH=VALUE");
@@ -238,6 +236,7 @@ namespace myolines
             add(app, "verify", "Estimates the errors that steps and mesh leave in values of a scene, and what less costs", [this] {
               verify_.scene     = run.scene;
               verify_.overrides = run.overrides;
+              verify_.plugins   = plugins;
               verify_command(verify_, run.quiet, mpi_, out_);
             });
         command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
@@ -256,13 +255,16 @@ namespace myolines
         command->add_option("--jobs", verify_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
         command->add_flag("--retry", verify_.retry, "Runs again what failed");
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
-        add_overrides(command);
+        add_scene_options(command);
       }
 
       void add_compare()
       {
-        CLI::App *command =
-            add(app, "compare", "L2 differences of the fields of two runs, on any two meshes", [this] { compare_command(compare_, out_); });
+        CLI::App *command = add(app, "compare", "L2 differences of the fields of two runs, on any two meshes", [this] {
+          for (const std::filesystem::path &run : {compare_.first, compare_.second})
+            load_plugins_of_run(run);
+          compare_command(compare_, out_);
+        });
         command->add_option("first", compare_.first, "Output folder of a run")->required()->type_name("DIR");
         command->add_option("second", compare_.second, "Output folder of the run that it is measured against")
             ->required()
@@ -271,6 +273,7 @@ namespace myolines
         at->type_name("TIME");
         command->add_flag("--all", compare_.all, "All times at which both have kept a state")->excludes(at);
         command->add_option("--csv", compare_.csv, "Writes the table to this file as well")->type_name("FILE.csv");
+        add_plugins(command);
       }
 
       void add_plot()
@@ -391,8 +394,11 @@ namespace myolines
     line.run.command_line           = shell_text(std::vector<std::string>(argv, argv + argc));
     line.run.program                = argv[0];
     const auto command_with_plugins = [&line] {
-      for (const std::filesystem::path &file : line.plugins)
-        load_plugin(file, "command line: --plugin " + file.string());
+      for (std::filesystem::path &file : line.plugins)
+        {
+          load_plugin(file, "command line: --plugin " + file.string());
+          file = std::filesystem::absolute(file); // for runs that are started elsewhere
+        }
       line.chosen();
     };
     return static_cast<int>(flushed(guarded(command_with_plugins, err)));

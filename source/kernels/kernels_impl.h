@@ -121,7 +121,7 @@ namespace myolines
     {
       clear(P, 9 * n_points);
       for (int i = 0; i < cells.n_laws; ++i)
-        law_kernels<isa>(cells.laws[i].number).stress(cells.laws[i], law_points(F, 9, F_rate), reinterpret_cast<double *>(P));
+        law_kernels<isa>(cells.laws[i]).stress(cells.laws[i], law_points(F, 9, F_rate), reinterpret_cast<double *>(P));
     }
 
     LawWeights law_weights(const double w[3]) const { return {w[0], m.viscous ? w[1] : 0, !m.exact_tangent}; }
@@ -266,7 +266,7 @@ namespace myolines
       clear(dP, 9 * n_points);
       const LawPoints points = law_points(tangent + tangent_F, size, tangent + n_points * size + t.n_modes * t.n_modes);
       for (int i = 0; i < cells.n_laws; ++i)
-        law_kernels<isa>(cells.laws[i].number)
+        law_kernels<isa>(cells.laws[i])
             .action(cells.laws[i], points, law_weights(w), reinterpret_cast<const double *>(dF), reinterpret_cast<double *>(dP));
     }
 
@@ -290,7 +290,7 @@ namespace myolines
               law.coefficients(&inverse(q, 0), LF, w[0], w[1], JxW(q), coefficients + q, 9 * n_points, n_points);
             }
           for (int i = 0; i < cells.n_laws; ++i)
-            law_kernels<isa>(cells.laws[i].number)
+            law_kernels<isa>(cells.laws[i])
                 .coefficients(cells.laws[i], law_points(F, 9, F_rate), law_weights(w), reinterpret_cast<double *>(coefficients));
         }
       for (int a = 0; a < 3; ++a)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #if defined(__x86_64__)
-#  include "law_kernels_impl.h"
+#  include <myolines/materials/law_batch.h>
+
+#  include <laws_of_list.h>
 
 namespace myolines
 {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "law_kernels_impl.h"
+#include <myolines/materials/law_batch.h>
+
+#include <laws_of_list.h>
 
 namespace myolines
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/materials/laws.h>
+#include <myolines/materials/law_kind.h>
 
 #include <laws_of_list.h>
 
@@ -7,79 +7,25 @@ namespace myolines
 {
   namespace
   {
-    scene::Range law_range(const Bound bound)
+    LawKernelSets kernels_of_list(const unsigned int number)
     {
-      return bound == Bound::positive       ? scene::Range::positive()
-             : bound == Bound::not_negative ? scene::Range::not_negative()
-                                            : scene::Range::any();
-    }
-
-    /// Its declaration, in the words that the struct has for its members.
-    template <class L>
-    scene::Schema law_schema()
-    {
-      scene::Schema schema(L::doc);
-      L             usual;
-      usual.parameters([&](double &value, const char *name, const char *unit, const Bound bound, const char *doc) {
-        schema.number(name, value, unit, law_range(bound), doc);
-      });
-      schema.number("weight", 1, "-", scene::Range::not_negative(), "Multiplies the stress: the share of this law in the tissue.");
-      return schema;
-    }
-
-    template <class L>
-    class LawOf : public Law
-    {
-    public:
-      LawOf(const LawKind &kind, const scene::Node *node)
-        : Law(kind)
-      {
-        if (node != nullptr)
-          law_.parameters([&](double &value, const char *name, const char *, Bound, const char *) { value = node->number(name); });
-      }
-
-      Mat3<double>          stress(const Strain<double> &s) const override { return law_.stress(s); }
-      std::optional<double> energy([[maybe_unused]] const Strain<double> &s) const override
-      {
-        if constexpr (has_energy<L>)
-          return law_.energy(s);
-        else
-          return std::nullopt;
-      }
-      void moduli(const Deformation<double> &at, const double w_u, const double w_v, double (&A)[9][9]) const override
-      {
-        myolines::moduli(law_, at, w_u, w_v, A);
-      }
-      const void *data() const override { return &law_; }
-
-    private:
-      L law_;
-    };
-
-    template <class L>
-    LawKind law_kind(const unsigned int number)
-    {
-      return {number,
-              L::name,
-              L::doc,
-              L::rates,
-              has_energy<L>,
-              has_hand_tangent<L>,
-              L::stress_at_rest,
-              law_schema<L>(),
-              [number](const scene::Node *node) { return std::make_shared<const LawOf<L>>(law_kinds()[number], node); }};
+#if defined(__x86_64__)
+      return {law_kernels_baseline[number], law_kernels_avx2[number], law_kernels_avx512[number]};
+#else
+      return {law_kernels_baseline[number]};
+#endif
     }
   } // namespace
 
-  const std::vector<LawKind> &law_kinds()
+  Registry<LawKind> &law_kinds()
   {
-    static const std::vector<LawKind> kinds = [] {
-      std::vector<LawKind> all;
-#define MYOLINES_LAW(file, law) all.push_back(law_kind<law>(static_cast<unsigned int>(all.size())));
+    static Registry<LawKind> kinds("law", [] {
+      std::deque<LawKind> all;
+#define MYOLINES_LAW(file, law) all.push_back(law_kind<law>(kernels_of_list(static_cast<unsigned int>(all.size()))));
 #include <myolines/materials/laws/list.def>
 #undef MYOLINES_LAW
       return all;
-    }();
+    }());
     return kinds;
   }
 

@@ -73,7 +73,7 @@ namespace myolines
         for (const TissuePart &part : tissue.laws)
           {
             laws_.push_back(part.law);
-            terms_.push_back({part.law->kind.number, part.law->data(), part.weight, id});
+            terms_.push_back({part.law->kind.kernels.data(), part.law->data(), part.weight, id});
           }
         law_shear_[id] = tissue.shear_modulus_of_laws();
       }

@@ -43,7 +43,7 @@ namespace myolines
     class Format
     {
     public:
-      virtual ~Format()                                                                    = default;
+      virtual ~Format()                                                                           = default;
       virtual void write(const FieldOutput &output, const State &state, WrittenInstants &written) = 0;
     };
 
@@ -120,7 +120,8 @@ namespace myolines
         , ledger_(ledger)
       {
         if (!system.line_of_action().line && std::count(output_.names.begin(), output_.names.end(), "pennation") > 0)
-          fields.refuse("what", "pennation is the angle to the line of action, which the body does not have: " + system.line_of_action().why_none,
+          fields.refuse("what",
+                        "pennation is the angle to the line of action, which the body does not have: " + system.line_of_action().why_none,
                         "other fields, or a list \"line of action\" in \"system\"");
         if (fields.text("format") == "hdf5")
           {
@@ -160,7 +161,7 @@ namespace myolines
       std::string             memory_;
       std::unique_ptr<Format> format_;
       WorkLedger             &ledger_;
-      WrittenInstants                written_;
+      WrittenInstants         written_;
     };
   } // namespace
 

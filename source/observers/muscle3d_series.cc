@@ -8,14 +8,14 @@ namespace myolines
 #include "../../outputs/list.def"
 #undef MYOLINES_MUSCLE3D_SERIES
 
-  const std::vector<SeriesEntry> &series_registry()
+  Registry<SeriesEntry> &series_registry()
   {
-    static const std::vector<SeriesEntry> entries = {
+    static Registry<SeriesEntry> registry("series", {
 #define MYOLINES_MUSCLE3D_SERIES(name) name##_series(),
 #include "../../outputs/list.def"
 #undef MYOLINES_MUSCLE3D_SERIES
-    };
-    return entries;
+                                                    });
+    return registry;
   }
 
   SeriesEntry switched_series(const std::string &name, const bool default_on, const SeriesNeeds needs, const std::string &doc,

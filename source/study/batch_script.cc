@@ -12,6 +12,8 @@ namespace myolines::study
       std::vector<std::string> words{call.program.string(), "study", call.file.string(), "--out", call.folder.string()};
       for (const std::string &setting : call.overrides)
         words.insert(words.end(), {"--set", setting});
+      for (const std::filesystem::path &file : call.plugins)
+        words.insert(words.end(), {"--plugin", file.string()});
       return shell_text(words);
     }
   } // namespace

@@ -10,10 +10,11 @@ namespace myolines::study
   /// What a batch script calls; absolute paths.
   struct BatchCall
   {
-    std::filesystem::path    program, file, folder;
-    std::vector<std::string> overrides;
-    unsigned int             tasks;
-    unsigned int             ranks; ///< of a case
+    std::filesystem::path              program, file, folder;
+    std::vector<std::string>           overrides;
+    std::vector<std::filesystem::path> plugins;
+    unsigned int                       tasks;
+    unsigned int                       ranks; ///< of a case
   };
 
   /// Array job of Slurm: every task runs its part, with as many processes as it has cores, or one run of `ranks` ranks after the other;

@@ -172,6 +172,8 @@ namespace myolines::study
           std::vector<std::string> words{"run", study.scene.string()};
           for (const std::string &setting : each.settings)
             words.insert(words.end(), {"--set", setting});
+          for (const std::filesystem::path &file : options.plugins)
+            words.insert(words.end(), {"--plugin", file.string()});
           resolved(options, study, each); // refuses what a run would refuse
           out << each.name << "\n  " << shell_text(words) << "\n";
         }
@@ -180,10 +182,14 @@ namespace myolines::study
 
     void write_script(const Options &options, const Study &study, const std::filesystem::path &folder, std::ostream &out)
     {
-      const BatchCall call{
-          options.program, std::filesystem::absolute(options.file), std::filesystem::absolute(folder), options.overrides, options.tasks,
-          study.ranks};
-      const auto file = folder / ("study." + options.emit + ".sh");
+      const BatchCall call{options.program,
+                           std::filesystem::absolute(options.file),
+                           std::filesystem::absolute(folder),
+                           options.overrides,
+                           options.plugins,
+                           options.tasks,
+                           study.ranks};
+      const auto      file = folder / ("study." + options.emit + ".sh");
       replace_file(file, options.emit == "slurm" ? slurm_script(call) : mpi_script(call));
       out << "Wrote " << file.string() << "; its first lines say how to use it.\n";
     }

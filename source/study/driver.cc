@@ -13,6 +13,7 @@ namespace myolines::study
   {
     RunnerOptions runner;
     runner.program     = driver.program;
+    runner.plugins     = driver.plugins;
     runner.run_in_copy = driver.run_in_copy;
     runner.folder      = folder;
     runner.jobs        = driver.jobs > 0 ? driver.jobs : std::max(1u, std::thread::hardware_concurrency() / study.ranks);

@@ -26,7 +26,8 @@ namespace myolines::study
     /// With these a run would take itself for a rank of the job that started this program.
     bool is_of_mpi(const std::string &variable)
     {
-      for (const char *prefix : {"OMPI_COMM_", "OMPI_UNIVERSE", "OMPI_MCA_ess", "OMPI_MCA_orte", "OMPI_MCA_pmix", "PMIX_", "PMI_", "ORTE_", "PRTE_LAUNCHED"})
+      for (const char *prefix :
+           {"OMPI_COMM_", "OMPI_UNIVERSE", "OMPI_MCA_ess", "OMPI_MCA_orte", "OMPI_MCA_pmix", "PMIX_", "PMI_", "ORTE_", "PRTE_LAUNCHED"})
         if (variable.rfind(prefix, 0) == 0)
           return true;
       return false;

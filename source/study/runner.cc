@@ -182,6 +182,8 @@ namespace myolines::study
         command.insert(command.end(), {options_.program.string(), "run", study_.scene.string()});
         for (const std::string &setting : job.which->settings)
           command.insert(command.end(), {"--set", setting});
+        for (const std::filesystem::path &file : options_.plugins)
+          command.insert(command.end(), {"--plugin", file.string()});
         command.insert(command.end(), {"--out", folder.string(), "--quiet"});
         if (job.resumed)
           command.push_back("--resume");

@@ -23,7 +23,7 @@ int main(int argc, char **argv)
       for (std::size_t i = 0; i < n; ++i)
         a[i] = b[i] + 0.4 * c[i];
       MPI_Barrier(MPI_COMM_WORLD);
-      best = std::min(best, MPI_Wtime() - begin);
+      best          = std::min(best, MPI_Wtime() - begin);
       b[repetition] = a[n - 1 - repetition]; // the sums are used
     }
   if (rank == 0)

@@ -41,7 +41,8 @@ TEST(Verification, IndentedBlock)
     }
 }
 
-/// Problem 1 of Land et al. (2015), doi:10.1098/rspa.2015.0641: the codes of the benchmark find the tip at z = 4.0 to 4.2 mm, 1 mm of which is its height.
+/// Problem 1 of Land et al. (2015), doi:10.1098/rspa.2015.0641: the codes of the benchmark find the tip at z = 4.0 to 4.2 mm, 1 mm of which
+/// is its height.
 TEST(Verification, BeamOfGuccione)
 {
   const TestFolder folder;

@@ -62,6 +62,38 @@ for table in built_in/*.csv; do
   cmp <(cut -d, -f1-3 "$table") <(cut -d, -f1-3 "plugged_in/${table##*/}")
 done
 
+# Runs that the program starts itself load the file as well.
+cat >study.xml <<TEXT
+<ParameterList name="study">
+  <Parameter name="scene" type="string" value="$scene"/>
+  <Parameter name="settings" type="string" value="integrator/type=rho bathe | time/end=1"/>
+  <ParameterList name="grids">
+    <ParameterList name="all">
+      <ParameterList name="step">
+        <Parameter name="type" type="string" value="list"/>
+        <Parameter name="parameter" type="string" value="time/step"/>
+        <Parameter name="values" type="string" value="0.1 | 0.05"/>
+      </ParameterList>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="quantities">
+    <ParameterList name="displacement">
+      <Parameter name="file" type="string" value="trajectory.csv"/>
+      <Parameter name="column" type="string" value="Displacement [m]"/>
+      <Parameter name="measure" type="string" value="final"/>
+    </ParameterList>
+  </ParameterList>
+</ParameterList>
+TEXT
+mv prefix/lib/myolines/plugins away
+refused '"rho bathe" is not a valid choice' study study.xml --out study
+"$myolines" study study.xml --plugin build/methods.so --out study --quiet
+[ "$(grep -c done study/study.csv)" = 2 ] || fail "the study has not run: $(cat study/study.csv)"
+"$myolines" study study.xml --plugin build/methods.so --list | grep -- '--plugin' >/dev/null || fail "the list of cases does not name it"
+"$myolines" verify "$scene" --plugin build/methods.so --set "integrator/type=rho bathe" --set time/end=1 --quantity "trajectory.csv:Displacement [m]" \
+  --out verify --quiet
+mv away prefix/lib/myolines/plugins
+
 # Built with something else.
 mkdir others
 changed() {

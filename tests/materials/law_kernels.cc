@@ -44,13 +44,13 @@ namespace myolines
         {
           SCOPED_TRACE(kind.name);
           const auto                                                 law = kind.make(nullptr);
-          const LawTerm                                              term{kind.number, law->data(), 2., 2};
+          const LawTerm                                              term{kind.kernels.data(), law->data(), 2., 2};
           std::vector<std::pair<InstructionSet, const LawKernels *>> sets{
-              {InstructionSet::baseline, &law_kernels<InstructionSet::baseline>(kind.number)}};
+              {InstructionSet::baseline, &law_kernels<InstructionSet::baseline>(term)}};
           if (widest_instruction_set() >= InstructionSet::avx2)
-            sets.emplace_back(InstructionSet::avx2, &law_kernels<InstructionSet::avx2>(kind.number));
+            sets.emplace_back(InstructionSet::avx2, &law_kernels<InstructionSet::avx2>(term));
           if (widest_instruction_set() >= InstructionSet::avx512)
-            sets.emplace_back(InstructionSet::avx512, &law_kernels<InstructionSet::avx512>(kind.number));
+            sets.emplace_back(InstructionSet::avx512, &law_kernels<InstructionSet::avx512>(term));
           for (const auto &[set, kernels] : sets)
             for (const bool symmetrised : {false, true})
               {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: every registered method runs the muscle from one line of a scene, or is refused by name with a reason.
 
-#include "../support/places.h"
 #include "../cli/program_runner.h"
+#include "../support/places.h"
 
 #include <myolines/time/integrator.h>
 
@@ -24,9 +24,9 @@ namespace
   Outcome run(const MethodFacts &method, const std::string &end, const std::string &step, const std::string &more = "")
   {
     const TestFolder folder;
-    return run_program(folder,
-                       "run '" + myolines::test::source_folder() + "/input/kinked_block.xml' --quiet --out out --set \"integrator/type=" + method.name +
-                           "\" --set time/end=" + end + " --set time/step=" + step + " --set system/geometry/refinement=0 " + more);
+    return run_program(folder, "run '" + myolines::test::source_folder() +
+                                   "/input/kinked_block.xml' --quiet --out out --set \"integrator/type=" + method.name +
+                                   "\" --set time/end=" + end + " --set time/step=" + step + " --set system/geometry/refinement=0 " + more);
   }
 
   const std::string quasi_static = "--set system/inertia=quasi-static ";

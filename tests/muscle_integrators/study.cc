@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include "../support/places.h"
 #include "study.h"
+#include "../support/places.h"
 
 #include <cmath>
 #include <fstream>

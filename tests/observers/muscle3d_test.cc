@@ -90,7 +90,7 @@ TEST(MuscleOutputs, HeadersAreThoseOfFlexodeal)
       {"activation_muscle_length-3d.csv", "Time [s],Activation (%),Muscle length [m]"},
       {"displacements-3d.csv", "Time [s],p1_x [m],p1_y [m],p1_z [m]"},
       {"reaction.csv", "Time [s],moving end x [N],moving end y [N],moving end z [N],fixed end x [N],fixed end y [N],fixed end z [N],"
-       "moving end along the line [N],fixed end along the line [N]"}};
+                       "moving end along the line [N],fixed end along the line [N]"}};
   for (const auto &[file, header] : headers)
     EXPECT_EQ(folder.lines(file).at(0), header);
 }

@@ -97,7 +97,7 @@ inside "
 begin "projects that use the library"
 inside "
   cd \$(mktemp -d) && cp -r /src/myolines/examples/. .
-  for project in pendulum library methods; do
+  for project in pendulum library methods muscle_parts; do
     cmake -S \$project -B \$project/build -G Ninja >/dev/null && cmake --build \$project/build
   done
   pendulum/build/pendulum | tee out
@@ -108,4 +108,8 @@ inside "
   myolines run /usr/share/myolines/input/isometric_block.xml --quiet --out plugged_in --set plug-ins=methods --set integrator/type=houbolt \\
     --set system/geometry/refinement=1
   grep '\"integrator houbolt\"' plugged_in/manifest.json
-  methods/build/try_methods --gtest_brief=1"
+  methods/build/try_methods --gtest_brief=1
+  cmake --install muscle_parts/build --prefix /usr >/dev/null
+  myolines run /usr/share/myolines/input/isometric_block.xml --quiet --out parts --set plug-ins=muscle-parts --set system/geometry/refinement=1 \\
+    --set 'output/series/furthest point=true'
+  grep '\"law mooney\"' parts/manifest.json && [ \$(wc -l <parts/furthest.csv) -gt 2 ]"

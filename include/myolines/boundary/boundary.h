@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/base/registry.h>
 #include <myolines/body/geometry.h>
 #include <myolines/boundary/boundary_condition.h>
 #include <myolines/scene/scene.h>
@@ -37,8 +38,10 @@ namespace myolines
     std::function<std::shared_ptr<const BoundaryCondition>(const scene::Node &, BoundaryReading)> make;
   };
 
-  /// All kinds, in the order of `boundary/list.def`.
-  const std::vector<BoundaryEntry> &boundary_registry();
+  inline const std::string &name_of(const BoundaryEntry &entry) { return entry.name; }
+
+  /// All kinds, in the order of `boundary/list.def`, then those of plug-ins.
+  Registry<BoundaryEntry> &boundary_registry();
   /// @throws std::out_of_range
   const BoundaryEntry &boundary_entry(const std::string &name);
 

@@ -70,11 +70,11 @@ namespace myolines
   /// What a kind of system brings to scenes, help and templates.
   struct SystemEntry
   {
-    std::string                 name;     ///< value of system/type
-    scene::Schema               schema;   ///< of the list `system`
-    scene::Schema               output;   ///< of the list `output`
-    std::vector<scene::Setting> example;  ///< a small scene, without the integrator
-    std::vector<SystemVariant>  variants; ///< what methods may take or not, the example itself first
+    std::string                    name;     ///< value of system/type
+    std::function<scene::Schema()> schema;   ///< of the list `system`; plug-ins may have added to it since the last call
+    std::function<scene::Schema()> output;   ///< of the list `output`, likewise
+    std::vector<scene::Setting>    example;  ///< a small scene, without the integrator
+    std::vector<SystemVariant>     variants; ///< what methods may take or not, the example itself first
     std::function<AssembledSystem(const scene::Node &, WorkLedger &, InstructionSet)> make; ///< kernels of that set, where it has some
     std::function<SizeEstimate(const scene::Node &, unsigned int ranks)>              size;
     MeshParameters                                                                    mesh;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <myolines/cli/catalogue.h>
+#include <myolines/materials/laws.h>
+#include <myolines/boundary/boundary.h>
+#include <myolines/observers/muscle3d_series.h>
 #include <myolines/time/integrator.h>
 
 #include <filesystem>
@@ -18,6 +21,9 @@ namespace myolines
   public:
     void add(IntegratorEntry entry) { put(integrator_registry(), std::move(entry)); }
     void add(SystemEntry entry) { put(system_catalogue(), std::move(entry)); }
+    void add(LawKind kind) { put(law_kinds(), std::move(kind)); }
+    void add(BoundaryEntry entry) { put(boundary_registry(), std::move(entry)); }
+    void add(SeriesEntry entry) { put(series_registry(), std::move(entry)); }
 
     const std::vector<std::string> &words() const { return words_; } ///< "integrator houbolt"
     const std::vector<std::string> &taken() const { return taken_; } ///< those of them that are there already, or twice
@@ -61,6 +67,9 @@ namespace myolines
   /// Loads those of @p names, words between blanks, from the folders of plugin_folders(). @throws InputError at @p where, for a name that
   /// is a path or that no folder has as well.
   void load_plugins(const std::string &names, const std::string &where);
+
+  /// Loads those that the scene of a run names, if the output folder @p run has its scene. @throws InputError likewise.
+  void load_plugins_of_run(const std::filesystem::path &run);
 
   /// Loads everything that the folders have, for lists. What was refused: name, or file, and why.
   std::vector<std::pair<std::string, std::string>> load_all_plugins();

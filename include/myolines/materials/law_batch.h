@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/materials/law.h>
 #include <myolines/materials/law_kernels.h>
-
-#include <laws_of_list.h>
 
 namespace myolines
 {
@@ -141,6 +140,7 @@ namespace myolines
     }
   };
 
+  /// To be called where the options of the compiler are those of the instruction set, and for plain code only.
   template <InstructionSet isa, class L>
   constexpr LawKernels make_law_kernels()
   {

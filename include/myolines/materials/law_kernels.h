@@ -3,19 +3,22 @@
 
 #include <myolines/materials/material.h>
 
+#include <array>
 #include <cstddef>
 
 namespace myolines
 {
   // Laws on all points of a batch, one call for each. Plain data only: compiled for several instruction sets, as the cell kernels are.
 
+  struct LawKernels;
+
   /// A law with its parameters, as a part of a tissue.
   struct LawTerm
   {
-    unsigned int number; ///< of the law in the list
-    const void  *law;    ///< its struct; borrowed
-    double       weight;
-    unsigned int tissue; ///< material id: points of other tissues have no part in it
+    const LawKernels *kernels; ///< of the law, by InstructionSet; borrowed
+    const void       *law;     ///< its struct; borrowed
+    double            weight;
+    unsigned int      tissue; ///< material id: points of other tissues have no part in it
   };
 
   /// Points of a batch; fields of lanes, strides in doubles. Borrowed.
@@ -53,20 +56,17 @@ namespace myolines
     void (*coefficients)(const LawTerm &, const LawPoints &, const LawWeights &, double *c);
   };
 
-  // Tables by number of the law; each is defined in the unit compiled for that instruction set.
+  // Those of the laws of the list, by number; each is defined in the unit compiled for that instruction set.
   extern const LawKernels law_kernels_baseline[];
   extern const LawKernels law_kernels_avx2[];
   extern const LawKernels law_kernels_avx512[];
 
+  /// Those of one law, by InstructionSet; null for sets that the processors of this system do not know.
+  using LawKernelSets = std::array<LawKernels, 3>;
+
   template <InstructionSet isa>
-  MYOLINES_INLINE const LawKernels &law_kernels(const unsigned int number)
+  MYOLINES_INLINE const LawKernels &law_kernels(const LawTerm &term)
   {
-#if defined(__x86_64__)
-    if (isa == InstructionSet::avx512)
-      return law_kernels_avx512[number];
-    if (isa == InstructionSet::avx2)
-      return law_kernels_avx2[number];
-#endif
-    return law_kernels_baseline[number];
+    return term.kernels[static_cast<int>(isa)];
   }
 } // namespace myolines

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/base/registry.h>
 #include <myolines/materials/law.h>
+#include <myolines/materials/law_kernels.h>
 #include <myolines/scene/scene.h>
 
 #include <functional>
@@ -14,17 +16,21 @@ namespace myolines
 {
   class Law;
 
-  /// A constitutive law that scenes can name: a line of laws/list.def.
+  /// A constitutive law that scenes can name: a line of laws/list.def, or one of a plug-in (law_kind.h).
   struct LawKind
   {
-    unsigned int                                                   number; ///< in the list
     std::string                                                    name, doc;
     Rates                                                          rates;
     bool                                                           has_energy, hand_tangent, stress_at_rest;
     scene::Schema                                                  schema; ///< its parameters
     std::function<std::shared_ptr<const Law>(const scene::Node *)> make;   ///< with the parameters of the node; nullptr: with its defaults
+    LawKernelSets                                                  kernels;
   };
-  const std::vector<LawKind> &law_kinds();
+
+  inline const std::string &name_of(const LawKind &kind) { return kind.name; }
+
+  /// All laws, in the order of laws/list.def, then those of plug-ins.
+  Registry<LawKind> &law_kinds();
 
   /// A law with its parameters, in plain numbers.
   class Law

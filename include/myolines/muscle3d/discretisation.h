@@ -33,7 +33,8 @@ namespace myolines
   };
 
   /// What boundary conditions do to the unknowns of a space: lines of the prescribed ones, and relations, each after those that it
-  /// needs. A tie that moves the face along n gives u.n = q, where q = u.n at the node of the face that all ranks know, which is free of it.
+  /// needs. A tie that moves the face along n gives u.n = q, where q = u.n at the node of the face that all ranks know, which is free of
+  /// it.
   /// @throws InputError, on all ranks, where conditions that meet on an edge contradict each other, and for faces that have not the shape
   /// of their condition.
   struct BoundaryConstraints

@@ -39,7 +39,7 @@ namespace myolines
     const std::vector<Reaction>       &reactions() const;
     const Parts<dealii::Tensor<1, 3>> &face_force(unsigned int face) const;
 
-    Activation activation() const;       ///< [-], on the side of the state at a kink
+    Activation activation() const; ///< [-], on the side of the state at a kink
     /// Length of the body along the line of action: at rest, and what the faces at its ends have moved apart in the mean [m].
     double muscle_length() const;
     /// Part along the line of action of the mean velocity of the force face [m/s].

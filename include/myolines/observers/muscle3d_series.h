@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/base/registry.h>
 #include <myolines/measures/fascicles.h>
 #include <myolines/observers/muscle3d_sample.h>
 #include <myolines/output/output_folder.h>
@@ -72,8 +73,10 @@ namespace myolines
   SeriesEntry switched_series(const std::string &name, bool default_on, SeriesNeeds needs, const std::string &doc,
                               std::function<std::unique_ptr<SeriesFile>(const SeriesContext &)> make);
 
-  /// All series, in the order of `outputs/list.def`.
-  const std::vector<SeriesEntry> &series_registry();
+  inline const std::string &name_of(const SeriesEntry &entry) { return entry.name; }
+
+  /// All series, in the order of `outputs/list.def`, then those of plug-ins.
+  Registry<SeriesEntry> &series_registry();
 
   /// The files that a scene asks for. @throws InputError
   std::vector<std::unique_ptr<SeriesFile>> make_series(const SeriesContext &context);

@@ -24,12 +24,12 @@ namespace myolines::scene
   private:
     struct Names;
 
-    void                       read_entry(const RawList &raw, const Entry &entry, Node &node);
-    void                       read_section(const RawList &raw, const Schema::Section &section, Node &node);
-    void                       read_named(const RawList &raw, const Schema &each, const Names &names, Node &node);
-    void                       refuse_duplicates(const RawList &raw, const Node &node);
-    void                       refuse_unknown(const RawList &raw, const Names &names, const Node &node);
-    void                       drop_former(RawList &raw, const std::vector<const Schema *> &chain, const Names &names, const std::string &path);
+    void read_entry(const RawList &raw, const Entry &entry, Node &node);
+    void read_section(const RawList &raw, const Schema::Section &section, Node &node);
+    void read_named(const RawList &raw, const Schema &each, const Names &names, Node &node);
+    void refuse_duplicates(const RawList &raw, const Node &node);
+    void refuse_unknown(const RawList &raw, const Names &names, const Node &node);
+    void drop_former(RawList &raw, const std::vector<const Schema *> &chain, const Names &names, const std::string &path);
     std::optional<std::string> checked(const RawParameter &raw, const Entry &entry, const std::string &where);
     std::optional<std::string> checked_file(const std::string &text, const Entry &entry, const std::string &where, bool from_override);
     std::string                where(const Node &node, const std::string &name, bool from_override) const;

@@ -18,6 +18,7 @@ namespace myolines::study
     bool         retry = false;
 
     std::filesystem::path                                       program;     ///< that has the command `run`
+    std::vector<std::filesystem::path>                          plugins;     ///< see RunnerOptions
     std::function<int(const std::vector<std::string> &command)> run_in_copy; ///< see RunnerOptions; may be none
     std::function<void()>                                       start_mpi;   ///< called after the runs and before fields are measured
     /// How many of so many runs of so many ranks each, asked for or not, have room at a time, once all cases were resolved; may be none.

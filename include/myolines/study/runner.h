@@ -14,7 +14,8 @@ namespace myolines::study
 {
   struct RunnerOptions
   {
-    std::filesystem::path program; ///< that has the command `run`
+    std::filesystem::path              program; ///< that has the command `run`
+    std::vector<std::filesystem::path> plugins; ///< files that each run loads, beside what its scene names
     /// Runs a command line of the program in a copy of this process and returns its exit code; see Processes. If there is none, or
     /// where a case has several ranks, each case is started as a process of its own.
     std::function<int(const std::vector<std::string> &command)> run_in_copy;
