@@ -3,6 +3,8 @@
 
 #include <myolines/algebra/patch_matrices.h>
 
+#include <deal.II/base/aligned_vector.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -27,28 +29,6 @@ namespace myolines
       return patch_kernels_baseline;
     }
 
-    std::size_t at(const unsigned int i, const unsigned int j, const unsigned int lane)
-    {
-      return (std::size_t(i) * (i + 1) / 2 + j) * n_lanes + lane;
-    }
-
-    /// The matrix of one lane becomes the inverse of the diagonal of its row sums in magnitude.
-    void replace_by_row_sums(const unsigned int n, float *entries)
-    {
-      std::vector<double> sums(n, 0.);
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j <= i; ++j)
-          {
-            const double magnitude = std::abs(entries[at(i, j, 0)]);
-            sums[i] += magnitude;
-            if (i != j)
-              sums[j] += magnitude;
-            entries[at(i, j, 0)] = 0;
-          }
-      for (unsigned int i = 0; i < n; ++i)
-        entries[at(i, i, 0)] = sums[i] > 0 ? static_cast<float>(1 / sums[i]) : 0.f;
-    }
-
     double largest_overlap(const std::vector<std::vector<unsigned int>> &patches, const Vector &layout)
     {
       Vector counts(layout);
@@ -65,7 +45,8 @@ namespace myolines
   PatchMatrices::PatchMatrices(const std::vector<std::vector<unsigned int>> &patches, const Vector &layout,
                                const InstructionSet instruction_set)
     : kernels_(&patch_kernels(instruction_set))
-    , places_(patches.size())
+    , group_of_(patches.size())
+    , matrices_(patches.size(), nullptr)
     , overlap_(largest_overlap(patches, layout))
   {
     // Lanes of a group run as long as the largest: patches of one size stand together, else in their order.
@@ -74,7 +55,7 @@ namespace myolines
     std::stable_sort(order.begin(), order.end(),
                      [&](const unsigned int a, const unsigned int b) { return patches[a].size() > patches[b].size(); });
 
-    std::size_t n_entries = 0;
+    std::size_t n_entries = 0, n_weights = 0;
     for (std::size_t first = 0; first < order.size(); first += n_lanes)
       {
         Group group{};
@@ -82,49 +63,109 @@ namespace myolines
         group.n_filled = static_cast<unsigned int>(std::min<std::size_t>(n_lanes, order.size() - first));
         group.entries  = n_entries;
         group.unknowns = unknowns_.size();
+        group.weights  = n_weights;
+        group.missing  = group.n_filled;
         for (unsigned int lane = 0; lane < group.n_filled; ++lane)
           {
-            const auto &patch            = patches[order[first + lane]];
-            group.size[lane]             = static_cast<unsigned int>(patch.size());
-            places_[order[first + lane]] = {n_entries, lane};
+            const auto &patch              = patches[order[first + lane]];
+            group.size[lane]               = static_cast<unsigned int>(patch.size());
+            group.patches[lane]            = order[first + lane];
+            group_of_[order[first + lane]] = static_cast<unsigned int>(groups_.size());
             unknowns_.insert(unknowns_.end(), patch.begin(), patch.end());
           }
         largest_ = std::max(largest_, group.n);
-        n_entries += std::size_t(group.n) * (group.n + 1) / 2 * n_lanes;
+        n_entries += place(group.n, 0) * n_lanes;
+        n_weights += std::size_t(group.n) * n_lanes;
         groups_.push_back(group);
       }
-    entries_.resize(n_entries);
+    unknowns_.shrink_to_fit();
+    packed_.resize(n_entries * kernels_->entry_size);
+    weights_.resize(n_weights);
   }
 
-  void PatchMatrices::clear() { std::fill(entries_.begin(), entries_.end(), 0.f); }
+  void PatchMatrices::clear()
+  {
+    for (double *&matrix : matrices_)
+      {
+        if (matrix != nullptr)
+          free_.push_back(matrix);
+        matrix = nullptr;
+      }
+    for (Group &group : groups_)
+      group.missing = group.n_filled;
+    n_refused_ = 0;
+  }
+
+  void PatchMatrices::open(const unsigned int p)
+  {
+    const std::size_t size = place(largest_, 0);
+    if (free_.empty())
+      {
+        const std::size_t together = 1 + LargeMemory::large_page / (size * sizeof(double));
+        work_.emplace_back(together * size);
+        for (std::size_t i = 0; i < together; ++i)
+          free_.push_back(work_.back().data() + i * size);
+        largest_work_ = std::max(largest_work_, work_.size() * work_.back().memory());
+      }
+    matrices_[p] = free_.back();
+    free_.pop_back();
+    std::fill_n(matrices_[p], size, 0.);
+  }
+
+  void PatchMatrices::complete(const unsigned int p)
+  {
+    Group &group = groups_[group_of_[p]];
+    if (--group.missing == 0)
+      factorise(group);
+  }
+
+  void PatchMatrices::factorise(Group &group)
+  {
+    const std::size_t             size = place(group.n, 0);
+    dealii::AlignedVector<double> together(size * n_lanes), sums(std::size_t(group.n) * n_lanes), scratch(std::size_t(group.n) * n_lanes);
+    double                       *matrices = together.data();
+    const auto at = [](const unsigned int i, const unsigned int j, const unsigned int lane) { return place(i, j) * n_lanes + lane; };
+    for (unsigned int lane = 0; lane < n_lanes; ++lane)
+      {
+        if (lane < group.n_filled)
+          {
+            double *&from = matrices_[group.patches[lane]];
+            if (from != nullptr)
+              {
+                for (std::size_t k = 0; k < place(group.size[lane], 0); ++k)
+                  matrices[k * n_lanes + lane] = from[k];
+                free_.push_back(from);
+              }
+            from = nullptr;
+          }
+        for (unsigned int i = group.size[lane]; i < group.n; ++i) // rows that this lane does not have
+          matrices[at(i, i, lane)] = 1;
+      }
+    const unsigned int refused = kernels_->factorise(group.n, matrices, sums.data(), scratch.data());
+    for (unsigned int lane = 0; lane < group.n_filled; ++lane)
+      if (refused >> lane & 1)
+        {
+          ++n_refused_;
+          for (unsigned int i = 0; i < group.n; ++i)
+            {
+              for (unsigned int j = 0; j < i; ++j)
+                matrices[at(i, j, lane)] = 0;
+              const double sum         = sums[i * n_lanes + lane];
+              matrices[at(i, i, lane)] = sum > 0 ? 1 / std::sqrt(sum) : 0;
+            }
+        }
+    kernels_->pack(group.n, matrices, packed_.data() + group.entries * kernels_->entry_size, weights_.data() + group.weights);
+    group.missing = 0;
+  }
 
   unsigned int PatchMatrices::invert()
   {
-    unsigned int                  n_refused = 0;
-    dealii::AlignedVector<double> matrix(std::size_t(largest_) * (largest_ + 1) / 2 * n_lanes), column(largest_ * n_lanes);
-    for (const Group &group : groups_)
-      {
-        float *entries = entries_.data() + group.entries;
-        std::copy_n(entries, at(group.n, 0, 0), matrix.begin());
-        for (unsigned int lane = 0; lane < n_lanes; ++lane)
-          for (unsigned int i = group.size[lane]; i < group.n; ++i) // rows that this lane does not have
-            matrix[at(i, i, lane)] = 1;
-        const unsigned int refused = kernels_->invert(group.n, matrix.data(), column.data());
-
-        for (unsigned int lane = 0; lane < group.n_filled; ++lane)
-          {
-            if (refused >> lane & 1)
-              {
-                ++n_refused;
-                replace_by_row_sums(group.size[lane], entries + lane);
-                continue;
-              }
-            for (unsigned int i = 0; i < group.size[lane]; ++i)
-              for (unsigned int j = 0; j <= i; ++j)
-                entries[at(i, j, lane)] = static_cast<float>(matrix[at(i, j, lane)]);
-          }
-      }
-    return n_refused;
+    for (Group &group : groups_)
+      if (group.missing > 0)
+        factorise(group);
+    free_.clear();
+    work_.clear();
+    return n_refused_;
   }
 
   void PatchMatrices::apply(const Vector &r, Vector &z) const
@@ -146,7 +187,7 @@ namespace myolines
             for (unsigned int i = group.size[lane]; i < group.n; ++i)
               x[i * n_lanes + lane] = 0;
           }
-        kernels_->multiply(group.n, entries_.data() + group.entries, x, y);
+        kernels_->multiply(group.n, packed_.data() + group.entries * kernels_->entry_size, weights_.data() + group.weights, x, y);
         unknown = unknowns_.data() + group.unknowns;
         for (unsigned int lane = 0; lane < group.n_filled; unknown += group.size[lane], ++lane)
           for (unsigned int i = 0; i < group.size[lane]; ++i)
@@ -158,7 +199,7 @@ namespace myolines
 
   std::size_t PatchMatrices::memory() const
   {
-    return entries_.memory_consumption() + unknowns_.size() * sizeof(unsigned int) + places_.size() * sizeof(Place) +
-           groups_.size() * sizeof(Group);
+    return packed_.memory() + weights_.memory() + unknowns_.size() * sizeof(unsigned int) + group_of_.size() * sizeof(unsigned int) +
+           matrices_.size() * sizeof(double *) + groups_.size() * sizeof(Group);
   }
 } // namespace myolines

@@ -4,6 +4,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 namespace myolines
@@ -147,18 +148,34 @@ namespace myolines
     star_.assign(8 * n_cells, -1);
     positions_.assign(8 * n_cells * per_corner, outside);
 
-    const auto                                                   &owned = coarse_.nodes().locally_owned_dofs();
+    // Stars have numbers in the order in which their last cells come.
+    const auto               &owned = coarse_.nodes().locally_owned_dofs();
+    std::vector<std::size_t>  last(owned.n_elements(), 0);
+    std::vector<unsigned int> vertices(owned.n_elements()), number(owned.n_elements());
+    Numbers                   fine, coarse;
+    for_each_cell([&](const unsigned int b, const unsigned int lane, const std::size_t cell) {
+      cell_nodes(b, lane, space, fine, coarse);
+      for (const auto vertex : coarse)
+        if (owned.is_element(vertex))
+          last[owned.index_within_set(vertex)] = cell;
+    });
+    std::iota(vertices.begin(), vertices.end(), 0u);
+    std::stable_sort(vertices.begin(), vertices.end(), [&](const unsigned int a, const unsigned int b) { return last[a] < last[b]; });
+    for (unsigned int star = 0; star < vertices.size(); ++star)
+      number[vertices[star]] = star;
+
     std::vector<std::vector<unsigned int>>                        stars(owned.n_elements());
     std::vector<std::unordered_map<unsigned int, unsigned short>> places(stars.size());
-    Numbers                                                       fine, coarse;
+    cells_of_star_.assign(stars.size(), 0);
     for_each_cell([&](const unsigned int b, const unsigned int lane, const std::size_t cell) {
       cell_nodes(b, lane, space, fine, coarse);
       for (int corner = 0; corner < 8; ++corner)
         if (owned.is_element(coarse[corner]))
           {
-            const unsigned int star  = owned.index_within_set(coarse[corner]);
+            const unsigned int star  = number[owned.index_within_set(coarse[corner])];
             unsigned short    *at    = &positions_[(8 * cell + corner) * per_corner];
             star_[8 * cell + corner] = static_cast<int>(star);
+            ++cells_of_star_[star];
             for (const int i : corner_nodes_[corner])
               for (unsigned int c = 0; c < 3; ++c, ++at)
                 if (!constraints.is_constrained(3 * fine[i] + c) && leaders_.count(3 * fine[i] + c) == 0)
@@ -172,6 +189,7 @@ namespace myolines
           }
     });
     patches_ = std::make_unique<PatchMatrices>(stars, space.make_vector(), instruction_set);
+    missing_ = cells_of_star_;
   }
 
   void VertexStars::interpolate(const NodeSpace &space, const Constraints &constraints)
@@ -199,6 +217,7 @@ namespace myolines
   void VertexStars::clear()
   {
     patches_->clear();
+    missing_ = cells_of_star_;
     coarse_matrix_->clear();
   }
 
@@ -217,25 +236,38 @@ namespace myolines
 
   void VertexStars::add_to_patches(const unsigned int b, const double *matrices)
   {
-    const std::size_t per_corner = 3 * corner_nodes_[0].size(), block = std::size_t(n_nodes_) * n_nodes_ * n_lanes;
+    const std::size_t per_corner = 3 * corner_nodes_[0].size();
     for (unsigned int lane = 0; lane < batches_.n_filled(b); ++lane)
       for (int corner = 0; corner < 8; ++corner)
         {
-          const std::size_t cell = std::size_t(b) * n_lanes + lane;
-          const int         star = star_[8 * cell + corner];
-          if (star < 0)
+          const std::size_t at = 8 * (std::size_t(b) * n_lanes + lane) + corner;
+          if (star_[at] < 0)
             continue;
-          const std::vector<int> &nodes = corner_nodes_[corner];
-          const unsigned short   *place = &positions_[(8 * cell + corner) * per_corner];
-          for (std::size_t ia = 0; ia < per_corner; ++ia)
-            for (std::size_t jc = 0; jc < per_corner; ++jc)
-              if (place[ia] != outside && place[jc] != outside && place[ia] >= place[jc])
-                {
-                  const int i = nodes[ia / 3], a = ia % 3, j = nodes[jc / 3], c = jc % 3;
-                  patches_->add(star, place[ia], place[jc],
-                                0.5 * (matrices[(3 * a + c) * block + std::size_t(i * n_nodes_ + j) * n_lanes + lane] +
-                                       matrices[(3 * c + a) * block + std::size_t(j * n_nodes_ + i) * n_lanes + lane]));
-                }
+          const unsigned int star = star_[at];
+          add_to_patch(star, corner, &positions_[at * per_corner], matrices + lane);
+          if (--missing_[star] == 0)
+            patches_->complete(star);
+        }
+  }
+
+  /// The symmetric part of the corner of an element matrix that the star shares.
+  void VertexStars::add_to_patch(const unsigned int star, const int corner, const unsigned short *places, const double *element_matrix)
+  {
+    const std::vector<int> &nodes = corner_nodes_[corner];
+    const std::size_t       n = n_nodes_, block = n * n * n_lanes;
+    double                 *matrix = patches_->matrix(star);
+    for (std::size_t ia = 0; ia < 3 * nodes.size(); ++ia)
+      if (places[ia] != outside)
+        {
+          const std::size_t i = nodes[ia / 3], a = ia % 3;
+          const double     *row = element_matrix + 3 * a * block + i * n * n_lanes, *column = element_matrix + a * block + i * n_lanes;
+          for (std::size_t jc = 0; jc < 3 * nodes.size(); ++jc)
+            if (places[jc] <= places[ia]) // outside is larger
+              {
+                const std::size_t j = nodes[jc / 3], c = jc % 3;
+                matrix[PatchMatrices::place(places[ia], places[jc])] +=
+                    0.5 * (row[c * block + j * n_lanes] + column[3 * c * block + j * n * n_lanes]);
+              }
         }
   }
 
@@ -262,6 +294,7 @@ namespace myolines
 
   std::size_t VertexStars::memory() const
   {
-    return patches_->memory() + positions_.size() * sizeof(unsigned short) + star_.size() * sizeof(int);
+    return patches_->memory() + positions_.size() * sizeof(unsigned short) +
+           (star_.size() + cells_of_star_.size() + missing_.size()) * sizeof(int);
   }
 } // namespace myolines

@@ -116,7 +116,7 @@ namespace myolines
   void Muscle3dLinearisation::store(const CellSweep &sweep, Tangents &tangents) const
   {
     const std::size_t size = tangent_size(sweep, model_);
-    tangents.resize_fast(size * sweep.batches.n_owned_batches());
+    tangents.resize(size * sweep.batches.n_owned_batches());
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
       discretisation_.kernels.linearise(sweep.tables, model_, cells(sweep, b), u_.begin(), v_.begin(), &tangents[b * size],
                                         discretisation_.scratch());

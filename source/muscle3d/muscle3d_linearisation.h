@@ -40,7 +40,7 @@ namespace myolines
 
   private:
     /// Tangents of the owned batches, for actions.
-    using Tangents = dealii::AlignedVector<double>;
+    using Tangents = LargeArray<double>;
     void store(const CellSweep &sweep, Tangents &tangents) const;
     void store_tangents() const; ///< unless they are
     void apply(const CellSweep &sweep, const Tangents &tangents, const KernelModel &model, const Weights &weights, const Vector &x,

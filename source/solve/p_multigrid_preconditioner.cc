@@ -37,11 +37,8 @@ namespace myolines
         levels_  = tangent.two_level();
         if (levels_ == nullptr)
           throw std::runtime_error("p multigrid: the system has no coarser level; use another preconditioner");
-        {
-          const WorkLedger::Timer timer(ledger_, "patch inverses");
-          if (const unsigned int indefinite = levels_->patches.invert(); indefinite > 0)
-            ledger_.count("indefinite patches", indefinite);
-        }
+        if (const unsigned int indefinite = levels_->patches.invert(); indefinite > 0)
+          ledger_.count("indefinite patches", indefinite);
         {
           const WorkLedger::Timer timer(ledger_, "coarse set-up");
           if (!coarse_)

@@ -86,6 +86,7 @@ namespace myolines
     void eliminate(unsigned int b, double *element_matrices) const;
     void interpolate(const NodeSpace &space, const Constraints &constraints);
     void add_to_patches(unsigned int b, const double *element_matrices);
+    void add_to_patch(unsigned int star, int corner, const unsigned short *places, const double *element_matrix);
     void add_to_coarse(unsigned int b, const double *element_matrices);
 
     static constexpr unsigned short outside = 0xffff;
@@ -99,6 +100,8 @@ namespace myolines
     std::vector<std::vector<std::pair<int, double>>> node_weights_;    ///< of each node of a cell: corners and weights
     std::vector<int>                                 corner_nodes_[8]; ///< nodes of a cell that touch each corner
     std::vector<int>                                 star_;            ///< [cell][8]: star of each corner, -1: of another rank
+    std::vector<unsigned int>                        cells_of_star_;   ///< how many there are
+    std::vector<unsigned int>                        missing_;         ///< how many of them have not been added
     std::vector<unsigned short>                      positions_;       ///< [cell][8][corner nodes][3]: place in the star
     std::set<dealii::types::global_dof_index>        leaders_;         ///< unknowns that others of other nodes depend on
     std::map<std::size_t, std::vector<Elimination>>  eliminations_;    ///< by batch * n_lanes + lane
