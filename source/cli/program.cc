@@ -17,7 +17,6 @@
 #include <myolines/cli/versions.h>
 #include <myolines/compare/compare.h>
 #include <myolines/output/text_file.h>
-#include <myolines/scene/numbers.h>
 
 #include <CLI/CLI.hpp>
 
@@ -29,17 +28,6 @@ namespace myolines
 {
   namespace
   {
-    /// A count: an integer of at least 1.
-    CLI::Validator at_least_one()
-    {
-      return CLI::Validator(
-          [](const std::string &text) {
-            const auto number = scene::parse_integer(text);
-            return number && *number >= 1 ? std::string() : "\"" + text + "\" is no count\n  expected: an integer >= 1";
-          },
-          "");
-    }
-
     /// The commands with the places their arguments are parsed into. `chosen` is the one to run.
     class CommandLine
     {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "kernels_state.h"
+#include "kernels_batch_step.h"
 
 namespace myolines
 {
   /// The kernels on one batch.
   template <InstructionSet isa, int n1>
-  class BatchWork : private BatchState<isa, n1>
+  class BatchWork : private BatchStep<isa, n1>
   {
-    using Base = BatchState<isa, n1>;
+    using Base = BatchStep<isa, n1>;
     using T    = Lanes<isa>;
+    using Base::add_forces;
     using Base::add_integral;
-    using Base::add_moments;
+    using Base::add_rank;
     using Base::advance;
     using Base::Base;
     using Base::cells;
@@ -27,6 +28,7 @@ namespace myolines
     using Base::F;
     using Base::F_rate;
     using Base::fibres;
+    using Base::fill_columns;
     using Base::filled_lanes_are;
     using Base::inverse;
     using Base::JxW;
@@ -39,8 +41,12 @@ namespace myolines
     using Base::n_nodes;
     using Base::n_points;
     using Base::pressure;
-    using Base::project;
     using Base::require_positive;
+    using Base::step_actions;
+    using Base::step_coefficients;
+    using Base::step_moduli;
+    using Base::step_stresses;
+    using Base::step_tangents;
     using Base::t;
     using Base::values;
     using Base::volumetric_modes;
@@ -48,7 +54,10 @@ namespace myolines
     using Base::work;
 
   public:
-    using Base::scratch_size;
+    static std::size_t scratch_size(const int n, const int n_modes)
+    {
+      return Base::scratch_size(n, n_modes) + std::size_t(n_lanes) * n * n * n * Base::step_scratch_size();
+    }
 
     static bool residual(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v,
                          const double *a, double *r, KernelForces &forces, double *scratch)
@@ -130,18 +139,22 @@ namespace myolines
     {
       if (!evaluate_state(u, v))
         return false;
-      T stress(0.), gap(0.), bulk(0.), volume(0.), *of_laws = coefficients;
-      if (cells.n_laws > 0)
+      T          stress(0.), gap(0.), bulk(0.), volume(0.), *of_laws = coefficients;
+      const bool step = m.before != nullptr;
+      if (step)
+        step_stresses(of_laws);
+      else if (cells.n_laws > 0)
         law_stresses(of_laws);
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
           const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
           T                   P[9];
-          law.stress(P);
-          if (cells.n_laws > 0)
+          if (!step)
+            law.stress(P);
+          if (step || cells.n_laws > 0)
             for (int i = 0; i < 9; ++i)
-              P[i] += of_laws[9 * q + i];
+              P[i] = step ? of_laws[9 * q + i] : P[i] + of_laws[9 * q + i];
           const T weight = JxW(q);
           for (int i = 0; i < 9; ++i)
             work[9 * q + i] = P[i] * weight;
@@ -168,20 +181,6 @@ namespace myolines
       return true;
     }
 
-    /// @p stress, @p gap and @p bulk: integrals of the squares; @p h: the size of the cells.
-    void add_forces(const double *u, const T &stress, const T &gap, const T &bulk, const T &h, KernelForces &forces) const
-    {
-      constexpr double eps = std::numeric_limits<double>::epsilon();
-      for (int lane = 0; lane < cells.n_filled; ++lane)
-        {
-          const double *at     = u + 3 * std::size_t(cells.nodes[lane]);
-          const double  change = eps * (1 + __builtin_sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) / h[lane]);
-          forces.internal += stress[lane] * h[lane];
-          forces.volume += gap[lane] * h[lane];
-          forces.rounding += bulk[lane] * h[lane] * change * change;
-        }
-    }
-
     /// values *= factor rho0 JxW
     void weigh_values(const double factor)
     {
@@ -196,6 +195,12 @@ namespace myolines
     void store_tangent(const double *u, const double *v, T *tangent)
     {
       evaluate_state(u, v);
+      if (m.before != nullptr)
+        {
+          step_tangents(tangent);
+          volumetric_modes(1, tangent + n_points * step_tangent_size(m));
+          return;
+        }
       const int size = m.rate ? tangent_size_rate : tangent_size_0;
       for (int q = 0; q < n_points; ++q)
         {
@@ -216,31 +221,19 @@ namespace myolines
       const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.velocities());
       if (!stiffness && !inertia)
         return;
-      T *dF = F, *cofactor = F_rate, *flux = F; // work is taken by the interpolation
+      T *dF = F, *volume = F_rate, *flux = F; // work is taken by the interpolation
       if (!stiffness)
         evaluate_values(x);
       else
         {
           evaluate_gradient(x, dF, inertia ? values : nullptr);
-          const int size = m.rate ? tangent_size_rate : tangent_size_0;
-          T         moments[max_modes], dp[max_modes], *of_laws = coefficients;
+          T moments[max_modes], dp[max_modes];
           clear(moments, t.n_modes);
-          if (cells.n_laws > 0)
-            law_actions(w, tangent, size, dF, of_laws);
-          for (int q = 0; q < n_points; ++q)
-            {
-              T dP[9];
-              tangent_action(m, material(q), tangent + q * size, dF + 9 * q, JxW(q), w[0], w[1], dP, cofactor + 9 * q);
-              const T change = dot(cofactor + 9 * q, dF + 9 * q);
-              for (int i = 0; i < t.n_modes; ++i)
-                moments[i] += mode(q, i) * change;
-              for (int i = 0; i < 9; ++i)
-                flux[9 * q + i] = dP[i];
-              if (cells.n_laws > 0)
-                for (int i = 0; i < 9; ++i)
-                  flux[9 * q + i] += of_laws[9 * q + i];
-            }
-          const T *S      = tangent + n_points * size;
+          if (m.before != nullptr)
+            step_actions(w, tangent, dF, flux, volume, moments);
+          else
+            state_actions(w, tangent, dF, flux, volume, moments);
+          const T *S      = tangent + n_points * tangent_fields();
           const T  weight = T(m.fixed_pressure ? 0. : w[0]);
           for (int i = 0; i < t.n_modes; ++i)
             {
@@ -252,12 +245,37 @@ namespace myolines
             {
               const T change = expand(dp, q);
               for (int i = 0; i < 9; ++i)
-                flux[9 * q + i] += change * cofactor[9 * q + i];
+                flux[9 * q + i] += change * volume[9 * q + i];
             }
         }
       if (inertia)
         weigh_values(w[2]);
       add_integral(stiffness ? flux : nullptr, inertia ? values : nullptr, y);
+    }
+
+    /// Of a point.
+    int tangent_fields() const { return m.before != nullptr ? step_tangent_size(m) : m.rate ? tangent_size_rate : tangent_size_0; }
+
+    /// At fixed pressure @p flux = dP JxW, in the place of dF; @p volume = dP/dp JxW = cof F JxW; moments += int phi dJ.
+    void state_actions(const double w[3], const T *tangent, const T *dF, T *flux, T *volume, T *moments)
+    {
+      const int size    = tangent_fields();
+      T        *of_laws = coefficients;
+      if (cells.n_laws > 0)
+        law_actions(w, tangent, size, dF, of_laws);
+      for (int q = 0; q < n_points; ++q)
+        {
+          T dP[9];
+          tangent_action(m, material(q), tangent + q * size, dF + 9 * q, JxW(q), w[0], w[1], dP, volume + 9 * q);
+          const T change = dot(volume + 9 * q, dF + 9 * q);
+          for (int i = 0; i < t.n_modes; ++i)
+            moments[i] += mode(q, i) * change;
+          for (int i = 0; i < 9; ++i)
+            flux[9 * q + i] = dP[i];
+          if (cells.n_laws > 0)
+            for (int i = 0; i < 9; ++i)
+              flux[9 * q + i] += of_laws[9 * q + i];
+        }
     }
 
     /// dP of the laws at the points, [n_points][9], times JxW.
@@ -280,18 +298,10 @@ namespace myolines
       if (stiffness)
         {
           evaluate_state(u, v);
-          for (int q = 0; q < n_points; ++q)
-            {
-              const Kinematics<T> k(F + 9 * q);
-              const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
-              T                   LF[9];
-              if (m.rate)
-                law.curvature(F_rate + 9 * q, LF);
-              law.coefficients(&inverse(q, 0), LF, w[0], w[1], JxW(q), coefficients + q, 9 * n_points, n_points);
-            }
-          for (int i = 0; i < cells.n_laws; ++i)
-            law_kernels<isa>(cells.laws[i])
-                .coefficients(cells.laws[i], law_points(F, 9, F_rate), law_weights(w), reinterpret_cast<double *>(coefficients));
+          if (m.before != nullptr)
+            step_coefficients(w);
+          else
+            state_coefficients(w);
         }
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
@@ -302,57 +312,57 @@ namespace myolines
         add_volumetric_rank(w[0], matrices);
     }
 
-    /// matrices += w B^T S B, B_m(n, b) = int phi_m cof F : Grad N_n e_b, S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1).
+    void state_coefficients(const double w[3])
+    {
+      for (int q = 0; q < n_points; ++q)
+        {
+          const Kinematics<T> k(F + 9 * q);
+          const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
+          T                   LF[9];
+          if (m.rate)
+            law.curvature(F_rate + 9 * q, LF);
+          law.coefficients(&inverse(q, 0), LF, w[0], w[1], JxW(q), coefficients + q, 9 * n_points, n_points);
+        }
+      for (int i = 0; i < cells.n_laws; ++i)
+        law_kernels<isa>(cells.laws[i])
+            .coefficients(cells.laws[i], law_points(F, 9, F_rate), law_weights(w), reinterpret_cast<double *>(coefficients));
+    }
+
+    /// matrices += w A^T S B with A_m(n, b) = int phi_m dP/dp : Grad N_n e_b, B_m(n, b) = int phi_m dJ/dF : Grad N_n e_b, both of cof F but
+    /// in a step, and S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1).
     void add_volumetric_rank(const double w, T *matrices)
     {
       const int n_modes = t.n_modes, n = 3 * n_nodes;
-      T        *B = columns, *SB = columns + max_modes * n; // [mode][component][node]
-      clear(B, n_modes * n);
-      T *reference = work; // [3][n_points]
-      for (int b = 0; b < 3; ++b)
-        for (int i = 0; i < n_modes; ++i)
-          {
-            for (int q = 0; q < n_points; ++q)
-              {
-                const Kinematics<T> k(F + 9 * q);
-                const T             weight = mode(q, i) * JxW(q) * k.J;
-                for (int A = 0; A < 3; ++A)
-                  reference[A * n_points + q] = weight * (k.H[3 * b] * inverse(q, 3 * A) + k.H[3 * b + 1] * inverse(q, 3 * A + 1) +
-                                                          k.H[3 * b + 2] * inverse(q, 3 * A + 2));
-              }
-            integrate<n1>(t, static_cast<T *>(nullptr), reference, B + i * n + b * n_nodes);
-          }
+      T        *A = columns, *B = columns + max_modes * n; // [mode][component][node]
+      if (m.before != nullptr)
+        {
+          fill_columns(step_moduli() + step_volume, step_tangent_size(m), A);
+          fill_columns(step_moduli() + step_cofactor, step_tangent_size(m), B);
+        }
+      else
+        {
+          T *cofactor = F_rate;
+          for (int q = 0; q < n_points; ++q)
+            {
+              const Kinematics<T> k(F + 9 * q);
+              const T             weight = JxW(q) * k.J;
+              for (int i = 0; i < 9; ++i)
+                cofactor[9 * q + i] = weight * k.H[i];
+            }
+          fill_columns(cofactor, 9, A);
+          for (int i = 0; i < n_modes * n; ++i)
+            B[i] = A[i];
+        }
 
       T S[max_modes * max_modes];
       volumetric_modes(w, S);
-      for (int i = 0; i < n_modes; ++i)
-        for (int j = 0; j < n; ++j)
-          {
-            T s(0.);
-            for (int k = 0; k < n_modes; ++k)
-              s += S[i * n_modes + k] * B[k * n + j];
-            SB[i * n + j] = s;
-          }
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          for (int i = 0; i < n_nodes; ++i)
-            for (int k = 0; k < n_modes; ++k)
-              {
-                const T  left  = B[k * n + a * n_nodes + i];
-                const T *right = SB + k * n + b * n_nodes;
-                T       *row   = matrices + ((3 * a + b) * n_nodes + i) * n_nodes;
-                for (int j = 0; j < n_nodes; ++j)
-                  row[j] += left * right[j];
-              }
+      add_rank(A, S, B, matrices);
     }
 
     void fill_points(const double *u, const double *v, T *out)
     {
       T *displacement = coefficients, *velocity = coefficients + 3 * n_points;
-      evaluate_gradient(u, F, displacement);
-      for (int q = 0; q < n_points; ++q)
-        for (int i = 0; i < 9; i += 4)
-          F[9 * q + i] += T(1.);
+      evaluate_F(u, F, displacement);
       volumetric_state();
       clear(velocity, 3 * n_points);
       clear(F_rate, 9 * n_points);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include "kernels_step.h"
 #include "kernels_sum_factorisation.h"
-#include <myolines/kernels/kernels_point.h>
 
 #include <limits>
 
@@ -19,8 +19,8 @@ namespace myolines
 
     static std::size_t scratch_size(const int n, const int /*n_modes*/)
     {
-      // Three gradients, the coefficients of the tangent, values of three components, and the volumetric columns.
-      return std::size_t(n_lanes) * (n * n * n * (9 + 9 + 9 + 81 + 3) + 2 * max_modes * 3 * n_nodes);
+      // Four gradients, the coefficients of the tangent, values of three components, and the volumetric columns.
+      return std::size_t(n_lanes) * (n * n * n * (9 + 9 + 9 + 81 + 3 + 9) + 2 * max_modes * 3 * n_nodes);
     }
 
     BatchState(const KernelTables &tables, const KernelModel &model, const KernelCells &cells, double *scratch)
@@ -34,7 +34,9 @@ namespace myolines
       , work(F_rate + 9 * n_points)
       , coefficients(work + 9 * n_points)
       , values(coefficients + 81 * n_points)
-      , columns(values + 3 * n_points)
+      , F_before(values + 3 * n_points)
+      , columns(F_before + 9 * n_points)
+      , of_step(columns + 2 * max_modes * 3 * n_nodes)
     {}
 
     const T &inverse(const int q, const int k) const
@@ -107,12 +109,26 @@ namespace myolines
         interpolate<n1>(t, nodal + a * n_nodes, values + a * n_points, static_cast<T *>(nullptr));
     }
 
+    /// And F_before and its dilatation, of a step.
     void evaluate_F(const double *u)
     {
-      evaluate_gradient(u, F);
+      evaluate_F(u, F);
+      if (m.before == nullptr)
+        return;
+      evaluate_F(m.before, F_before);
+      T moments[max_modes];
+      clear(moments, t.n_modes);
+      for (int q = 0; q < n_points; ++q)
+        add_moments(Kinematics<T>(F_before + 9 * q).J, q, moments);
+      project(moments, earlier);
+    }
+
+    void evaluate_F(const double *u, T *gradient, T *value = nullptr)
+    {
+      evaluate_gradient(u, gradient, value);
       for (int q = 0; q < n_points; ++q)
         for (int i = 0; i < 9; i += 4)
-          F[9 * q + i] += T(1.);
+          gradient[9 * q + i] += T(1.);
     }
 
     /// c = (mass of the modes)^(-1) moments
@@ -158,9 +174,17 @@ namespace myolines
         x[i] = T(0.);
     }
 
-    /// Psi_vol' and Psi_vol'' at a point of dilatation D
-    T volumetric_stress(const int q, const T &D) const { return T(0.5) * material(q)[material_bulk] * (D - T(1.) / D); }
-    T volumetric_stiffness(const int q, const T &D) const { return T(0.5) * material(q)[material_bulk] * (T(1.) + T(1.) / (D * D)); }
+    /// Psi_vol' and Psi_vol'' at a point of dilatation D, or what they are between two states.
+    T volumetric_stress(const int q, const T &D) const
+    {
+      const T &kappa = material(q)[material_bulk];
+      return m.before == nullptr ? T(0.5) * kappa * (D - T(1.) / D) : VolumetricSecant<T>(kappa, expand(earlier, q), D).value;
+    }
+    T volumetric_stiffness(const int q, const T &D) const
+    {
+      const T &kappa = material(q)[material_bulk];
+      return m.before == nullptr ? T(0.5) * kappa * (T(1.) + T(1.) / (D * D)) : VolumetricSecant<T>(kappa, expand(earlier, q), D).slope;
+    }
 
     /// Dilatation and pressure of the state at F, see KernelCells::local. False if J <= 0, D <= 0 or NaN in a filled lane.
     bool volumetric_state()
@@ -226,6 +250,55 @@ namespace myolines
           }
     }
 
+    /// columns_m(n, b) = int phi_m field_b : Grad N_n with field_bJ JxW at [q * stride + 3 b + J].
+    void fill_columns(const T *field, const int stride, T *columns)
+    {
+      const int n = 3 * n_nodes;
+      clear(columns, t.n_modes * n);
+      T *reference = work; // [3][n_points]
+      for (int b = 0; b < 3; ++b)
+        for (int i = 0; i < t.n_modes; ++i)
+          {
+            for (int q = 0; q < n_points; ++q)
+              {
+                const T *at = field + q * stride + 3 * b;
+                for (int A = 0; A < 3; ++A)
+                  reference[A * n_points + q] =
+                      mode(q, i) * (at[0] * inverse(q, 3 * A) + at[1] * inverse(q, 3 * A + 1) + at[2] * inverse(q, 3 * A + 2));
+              }
+            integrate<n1>(t, static_cast<T *>(nullptr), reference, columns + i * n + b * n_nodes);
+          }
+    }
+
+    /// matrices += A^T S B of columns; B becomes S B.
+    void add_rank(const T *A, const T *S, T *B, T *matrices) const
+    {
+      const int n_modes = t.n_modes, n = 3 * n_nodes;
+      T         column[max_modes];
+      for (int j = 0; j < n; ++j) // B <- S B
+        {
+          for (int i = 0; i < n_modes; ++i)
+            column[i] = B[i * n + j];
+          for (int i = 0; i < n_modes; ++i)
+            {
+              B[i * n + j] = T(0.);
+              for (int k = 0; k < n_modes; ++k)
+                B[i * n + j] += S[i * n_modes + k] * column[k];
+            }
+        }
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+          for (int i = 0; i < n_nodes; ++i)
+            for (int k = 0; k < n_modes; ++k)
+              {
+                const T  left  = A[k * n + a * n_nodes + i];
+                const T *right = B + k * n + b * n_nodes;
+                T       *row   = matrices + ((3 * a + b) * n_nodes + i) * n_nodes;
+                for (int j = 0; j < n_nodes; ++j)
+                  row[j] += left * right[j];
+              }
+    }
+
     /// See Kernels::advance.
     void advance(const double *u, const double *trial_u, const double alpha, T *trial_z)
     {
@@ -234,15 +307,13 @@ namespace myolines
       T        J[max_modes], line[max_modes], J_t[max_modes], moments[max_modes], change[max_modes], admissible(1.);
       T       *F_t = F_rate;
       evaluate_F(u);
-      evaluate_gradient(trial_u, F_t);
+      evaluate_F(trial_u, F_t);
       clear(J, t.n_modes);
       clear(line, t.n_modes);
       clear(J_t, t.n_modes);
       clear(moments, t.n_modes);
       for (int q = 0; q < n_points; ++q)
         {
-          for (int i = 0; i < 9; i += 4)
-            F_t[9 * q + i] += T(1.);
           const Kinematics<T> k(F + 9 * q), k_t(F_t + 9 * q);
           T                   dF[9];
           for (int i = 0; i < 9; ++i)
@@ -274,6 +345,20 @@ namespace myolines
       D_t[0] = select(admissible > T(0.), D_t[0], T(std::numeric_limits<double>::quiet_NaN()));
     }
 
+    /// @p stress, @p gap and @p bulk: integrals of the squares; @p h: the size of the cells.
+    void add_forces(const double *u, const T &stress, const T &gap, const T &bulk, const T &h, KernelForces &forces) const
+    {
+      constexpr double eps = std::numeric_limits<double>::epsilon();
+      for (int lane = 0; lane < cells.n_filled; ++lane)
+        {
+          const double *at     = u + 3 * std::size_t(cells.nodes[lane]);
+          const double  change = eps * (1 + __builtin_sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) / h[lane]);
+          forces.internal += stress[lane] * h[lane];
+          forces.volume += gap[lane] * h[lane];
+          forces.rounding += bulk[lane] * h[lane] * change * change;
+        }
+    }
+
     /// Adds sum_q P : Grad N_i (flux[9 q + 3 a + J] = P_aJ JxW) and sum_q N_i values (if given) to x.
     void add_integral(T *flux, const T *value, double *x)
     {
@@ -302,9 +387,12 @@ namespace myolines
     T                  *work;         ///< [n_points][9]
     T                  *coefficients; ///< [9][9][n_points] of the tangent, else free
     T                  *values;       ///< [3][n_points]
+    T                  *F_before;     ///< [n_points][9], of a step
     T                  *columns;      ///< [2][n_modes][3][n_nodes]
+    T                  *of_step;      ///< see BatchStep
     T                   dilatation[max_modes];
     T                   pressure[max_modes];
     T                   missing[max_modes]; ///< Pi(J) - D
+    T                   earlier[max_modes]; ///< D at the beginning of a step
   };
 } // namespace myolines

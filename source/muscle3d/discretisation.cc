@@ -92,6 +92,7 @@ namespace myolines
     model.viscous        = parameters.viscous();
     model.fixed_pressure = false;
     model.curves         = parameters.fibre_curves();
+    model.before         = nullptr;
     return model;
   }
 } // namespace myolines

@@ -34,6 +34,7 @@ namespace myolines
     , ledger_(ledger)
     , u_(discretisation.space->make_vector())
     , v_(u_)
+    , before_(u_)
   {}
 
   void Muscle3dLinearisation::refill(const Point &point, const Activation &activation)
@@ -41,6 +42,12 @@ namespace myolines
     model_ = kernel_model(parameters_, activation);
     u_     = point.u;
     u_.update_ghost_values();
+    if (point.before != nullptr)
+      {
+        before_ = *point.before;
+        before_.update_ghost_values();
+        model_.before = before_.begin();
+      }
     if (model_.velocities() || surface_.rates())
       {
         v_ = point.v;
@@ -64,7 +71,11 @@ namespace myolines
 
   void Muscle3dLinearisation::find_faces(const Point &point)
   {
-    faces_ = surface_.tangents({point.t, point.side, u_, v_, point.a}, !parameters_.exact_tangent);
+    const MiddleOfStep middle(u_, point.before != nullptr ? &before_ : nullptr);
+    faces_ = surface_.tangents({point.t, point.side, middle.vector(), v_, point.a}, !parameters_.exact_tangent);
+    if (point.before != nullptr) // of which u_1 is half
+      for (SurfaceForces::Tangent &face : faces_)
+        face.stiffness *= 0.5;
     if (faces_of_.empty())
       for (std::size_t i = 0; i < faces_.size(); ++i)
         faces_of_[faces_[i].cell->id()].push_back(i);

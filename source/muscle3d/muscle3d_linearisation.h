@@ -77,8 +77,8 @@ namespace myolines
     std::map<dealii::CellId, std::vector<std::size_t>> faces_of_;
     WorkLedger                                        &ledger_;
     KernelModel                                        model_{};
-    Vector                                             u_, v_;
-    LocalUnknowns                                      local_; ///< none: those of u_
+    Vector                                             u_, v_, before_; ///< before_ of a step only
+    LocalUnknowns                                      local_;          ///< none: those of u_
     std::unique_ptr<BlockMatrix>                       matrix_;
     Weights                                            assembled_; ///< weights of the matrix, if current_
     bool                                               current_ = false;

@@ -66,6 +66,7 @@ namespace myolines
     c.rates             = flows || surface_forces_->rates();
     c.symmetric_tangent = !parameters_.exact_tangent || (!flows && !follows);
     c.energy            = parameters_.dynamic;
+    c.two_states        = parameters_.dynamic;
     c.orders            = {parameters_.dynamic ? 2u : 0u};
     c.splits            = splits();
     return c;
@@ -108,9 +109,12 @@ namespace myolines
     WorkLedger::Timer timer(ledger_, "residual");
     ledger_.count("residual evaluations");
     const Muscle3dDiscretisation &d     = *discretisation_;
-    const KernelModel             model = kernel_model(parameters_, activation(point.t, point.side));
+    KernelModel                   model = kernel_model(parameters_, activation(point.t, point.side));
+    const CurrentGhosts           before(point.before != nullptr ? *point.before : point.u, point.before != nullptr);
     const CurrentGhosts           u(point.u), v(point.v, model.velocities() || surface_forces_->rates()), a(point.a, model.inertia);
     const CellSweep               cells = sweep();
+    if (point.before != nullptr)
+      model.before = before.begin();
 
     r.zero_out_ghost_values();
     r = 0;
@@ -131,7 +135,12 @@ namespace myolines
         return {false, "det F or the dilatation is not positive, or a stress not finite, near " +
                            where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
       }
-    double loads = surface_forces_->any() ? surface_forces_->subtract({point.t, point.side, u.vector(), v.vector(), point.a}, r) : 0;
+    double loads = 0;
+    if (surface_forces_->any())
+      {
+        const MiddleOfStep middle(u.vector(), point.before != nullptr ? &before.vector() : nullptr);
+        loads = surface_forces_->subtract({point.t, point.side, middle.vector(), v.vector(), point.a}, r);
+      }
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
       loads += loads_->subtract_external(point.t, point.side, r);
@@ -165,13 +174,16 @@ namespace myolines
     return z;
   }
 
-  void Muscle3dSystem::advance(const Vector &u, const LocalUnknowns &z, const Vector &trial_u, const double alpha,
-                               LocalUnknowns &trial) const
+  void Muscle3dSystem::advance(const Point &point, const Vector &trial_u, const double alpha, LocalUnknowns &trial) const
   {
     const Muscle3dDiscretisation &d = *discretisation_;
-    const CurrentGhosts           from(u), to(trial_u);
+    const LocalUnknowns          &z = *point.local;
+    const CurrentGhosts           before(point.before != nullptr ? *point.before : point.u, point.before != nullptr);
+    const CurrentGhosts           from(point.u), to(trial_u);
     const CellSweep               cells = sweep();
-    const KernelModel             model = kernel_model(parameters_, {});
+    KernelModel                   model = kernel_model(parameters_, {});
+    if (point.before != nullptr)
+      model.before = before.begin();
     trial.values.resize_fast(z.values.size());
     for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
       d.kernels.advance(d.tables, model, with_local(cells.cells(b), &z, b * size_of_local(), false), from.begin(), to.begin(), alpha,

@@ -64,6 +64,7 @@ namespace myolines
     capabilities.linear            = parameters_.cubic_stiffness == 0;
     capabilities.symmetric_tangent = true;
     capabilities.energy            = true;
+    capabilities.two_states        = true;
     capabilities.splits            = {{"linear", capabilities.linear ? "everything" : "everything but the cubic spring", ""}};
     return capabilities;
   }
@@ -108,9 +109,11 @@ namespace myolines
   Evaluation OscillatorSystem::residual(const Point &point, Vector &r) const
   {
     ledger_.count("residual evaluations");
-    const double stretch = difference(point.u);
-    const double spring  = parameters_.damping * difference(point.v) + parameters_.stiffness * stretch +
-                          parameters_.cubic_stiffness * stretch * stretch * stretch;
+    const double stretch = difference(point.u), before = point.before != nullptr ? difference(*point.before) : stretch;
+    const double middle = (before + stretch) / 2,
+                 square = (before * before + stretch * stretch) / 2; // of s^4/4 the secant is square middle
+    const double spring =
+        parameters_.damping * difference(point.v) + (parameters_.stiffness + parameters_.cubic_stiffness * square) * middle;
     const double load = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
 
     r.local_element(0) = parameters_.mass * point.a.local_element(0) + spring - load;
@@ -134,9 +137,15 @@ namespace myolines
   void OscillatorSystem::linearise(const Point &point, Linearisation &linearisation) const
   {
     ledger_.count("linearisations");
-    const double stretch   = point.u.local_element(0) - (parameters_.support ? point.u.local_element(1) : 0);
-    const double stiffness = parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch;
-    auto        &bands     = dynamic_cast<StoredBands &>(linearisation);
+    const double stretch   = difference(point.u);
+    double       stiffness = parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch;
+    if (point.before != nullptr)
+      {
+        const double before = difference(*point.before), middle = (before + stretch) / 2;
+        const double square = (before * before + stretch * stretch) / 2;
+        stiffness = (parameters_.stiffness + parameters_.cubic_stiffness * square) / 2 + parameters_.cubic_stiffness * stretch * middle;
+      }
+    auto &bands = dynamic_cast<StoredBands &>(linearisation);
     bands.begin();
     bands.mass(0, 0)     = parameters_.mass;
     const unsigned int n = layout_.size();

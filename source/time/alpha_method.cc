@@ -19,7 +19,8 @@ namespace myolines
       AlphaMethod(const AlphaCoefficients &c, const ForceEvaluation force, const FirstStep first, const IntegratorContext &context)
         : c_(c)
         , keeps_force_(c.alpha_f != 0 && force == ForceEvaluation::weighted_end_forces)
-        , averages_state_(c.alpha_f != 0 && force == ForceEvaluation::averaged_state)
+        , averages_state_(c.alpha_f != 0 && force != ForceEvaluation::weighted_end_forces)
+        , two_states_(force == ForceEvaluation::two_states && !context.system.capabilities().linear)
         , context_(context)
         , solver_(context)
         , starter_(first, solver_, context)
@@ -69,6 +70,8 @@ namespace myolines
             set_average(dt, state, stage, average);
             stage.average = &average;
           }
+        if (two_states_)
+          stage.before = &state.u;
         if (keeps_force_)
           {
             combine(history_, {{c_.alpha_f, &force_}});
@@ -99,11 +102,11 @@ namespace myolines
       void set_average(const double dt, const State &state, const Stage &stage, Stage::Average &average)
       {
         const double alpha_f = averages_state_ ? c_.alpha_f : 0;
-        combine(offset_.u, {{alpha_f, &state.u}});
+        combine(offset_.u, {{two_states_ ? 0 : alpha_f, &state.u}});
         combine(offset_.v, {{alpha_f, &state.v}});
         combine(offset_.a, {{c_.alpha_m / stage.scale, &state.a}});
         average.t      = stage.t - alpha_f * dt;
-        average.weight = {1 - alpha_f, 1 - alpha_f, (1 - c_.alpha_m) / stage.scale};
+        average.weight = {two_states_ ? 1 : 1 - alpha_f, 1 - alpha_f, (1 - c_.alpha_m) / stage.scale};
       }
 
       void estimate(const double dt, const State &state, StepReport &report)
@@ -134,6 +137,7 @@ namespace myolines
       const AlphaCoefficients c_;
       const bool              keeps_force_;
       const bool              averages_state_;
+      const bool              two_states_;
       const IntegratorContext context_;
       StageSolver             solver_;
       Starter                 starter_;

@@ -92,8 +92,10 @@ namespace myolines
 
   void StageProblem::advance(const Vector &d, const LocalUnknowns &z, const Vector &trial, const double alpha, LocalUnknowns &trial_z)
   {
-    work_.from = point(d).u;
-    work_.system.advance(work_.from, z, point(trial).u, alpha, trial_z);
+    const Point at = point(d);
+    work_.from     = at.u;
+    const Point there = point(trial); // in the place of the former
+    work_.system.advance({at.t, at.side, work_.from, there.v, there.a, &z, at.before}, there.u, alpha, trial_z);
   }
 
   void StageProblem::linearise_at(const Vector &d, const LocalUnknowns &z)
@@ -170,14 +172,14 @@ namespace myolines
     set_end(d);
     const State &end = work_.end;
     if (stage_.average == nullptr)
-      return {stage_.t, stage_.side, end.u, end.v, end.a};
+      return {stage_.t, stage_.side, end.u, end.v, end.a, nullptr, stage_.before};
     const Stage::Average &at      = *stage_.average;
     State                &average = work_.average;
     combine(average.u, {{1, &at.offset->u}, {at.weight.u, &end.u}});
     combine(average.v, {{1, &at.offset->v}, {at.weight.v, &end.v}});
     combine(average.a, {{1, &at.offset->a}, {at.weight.a, &end.a}});
     update_ghosts(average);
-    return {at.t, stage_.side, average.u, average.v, average.a};
+    return {at.t, stage_.side, average.u, average.v, average.a, nullptr, stage_.before};
   }
 
   void StageProblem::shift_predictors(const Vector &d)

@@ -92,7 +92,7 @@ namespace myolines
     void                  linearise_at(const Vector &d, const LocalUnknowns &z) override;
     Linearisation        &linearisation() override { return *work_.linearisation; }
     const WeightsByOrder &weights() const override { return weights_; }
-    bool                  symmetric() const override { return work_.capabilities.symmetric_tangent; }
+    bool                  symmetric() const override { return work_.capabilities.symmetric_tangent && stage_.before == nullptr; }
     bool                  affine() const override { return work_.capabilities.linear; }
 
     /// At a pressure of its own a body comes back from what a step has stretched. Where rates matter residuals rise at the kink of the

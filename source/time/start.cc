@@ -200,6 +200,10 @@ namespace myolines
     if (const std::string why = why_no_accelerations(context.system); needs && !why.empty())
       integrator.refuse("type", "\"" + facts.name + "\" needs the acceleration of every unknown, but " + why,
                         "a method that does without, or another system", methods_hint);
+    const Capabilities capabilities = context.system.capabilities();
+    if (facts.two_states && !capabilities.two_states && !capabilities.linear)
+      integrator.refuse("type", "\"" + facts.name + "\" needs the force of two states, which the system does not have",
+                        "a method that does without, or another system", methods_hint);
     if (!facts.scheme_rates && context.boundary_rates == BoundaryRates::scheme && context.system.constraints().n_constraints() > 0)
       integrator.refuse("type", "\"" + facts.name + "\" has no formulas of its own for the rates of a moving boundary",
                         "\"time/boundary rates\" = \"exact\"");

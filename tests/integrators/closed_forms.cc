@@ -135,6 +135,33 @@ namespace myolines::testing
         d * d * (3 - 2 * d) - 1. / 6);
   }
 
+  Case suzuki_case(const std::string &label)
+  {
+    const double              p = 1 / (4 - std::cbrt(4.));
+    const std::vector<double> parts{p, p, 1 - 4 * p, p, p};
+    const auto                stability = [parts](const std::complex<double> z) {
+      std::complex<double> product(1);
+      for (const double part : parts)
+        product *= (1. + part / 2 * z) / (1. - part / 2 * z);
+      return product;
+    };
+    double constant = 0; // ln (1 + x/2)/(1 - x/2) = x + x^3/12 + x^5/80 + ...
+    for (const double part : parts)
+      constant += std::pow(part, 5) / 80;
+    Case c       = runge_kutta_case(label, 4, stability, constant);
+    c.parameters = {"composition=suzuki"};
+    c.polynomial = [stability](const double w, const double xi) {
+      const std::complex<double> z(-xi * w, std::sqrt(1 - xi * xi) * w);
+      return from_roots({stability(z), std::conj(stability(z)), -1.}); // an acceleration that u and v do not need
+    };
+    c.matrices               = 2;
+    c.steps_of_constant      = 100;
+    c.long_steps             = false;
+    c.estimate_is_asymptotic = false; // rounding where the suite looks
+    c.work                   = 0.4;   // few steps
+    return c;
+  }
+
   /// Eigenvectors e^(y n) with y = i W (1 - kappa W^2), W = omega dt, for second order; the leading terms of y and of v/u follow
   /// from the three equations by expansion in y.
   Case alpha_case(const std::string &label, const Overrides &parameters, const double alpha_m, const double alpha_f, const double beta,

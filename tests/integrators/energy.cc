@@ -99,6 +99,19 @@ TEST(Energy, theTrapezoidalRuleKeepsThatOfALinearSpring)
   EXPECT_LT(report.rise.size, 1e-12);
 }
 
+TEST(Energy, forcesOfTwoStatesKeepThatOfACubicSpring)
+{
+  OscillatorParameters cubic;
+  cubic.cubic_stiffness = 30;
+  for (const Overrides &of_method : {Overrides{}, Overrides{"composition=suzuki"}})
+    EXPECT_NEAR(report_of("energy momentum", cubic, 50, 0.25, of_method).drift, 0, 1e-11);
+  EXPECT_GT(std::abs(report_of("implicit midpoint", cubic, 50, 0.25).drift), 1e-2);
+  cubic.damping       = 0.1; // acts in the middle
+  cubic.force         = sine(1, 2);
+  const double coarse = report_of("energy momentum", cubic, 2, 0.02).drift, fine = report_of("energy momentum", cubic, 2, 0.01).drift;
+  EXPECT_NEAR(coarse / fine, 4, 0.4);
+}
+
 TEST(Energy, balancesWithForceSupportAndDamperCloseWithTheOrderOfTheMethod)
 {
   const double coarse = report_of("newmark", driven_duffing(), 2, 0.02).drift, fine = report_of("newmark", driven_duffing(), 2, 0.01).drift;

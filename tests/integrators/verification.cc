@@ -73,7 +73,7 @@ TEST_P(Dynamic, hasItsOrderInDisplacementAndVelocity)
 TEST_P(Dynamic, hasItsErrorConstant)
 {
   const Case   &facts   = GetParam().facts;
-  const double  step    = end / (facts.order == 1 ? 8000 : facts.order == 2 ? 2000 : 400);
+  const double  step    = end / (facts.order == 1 ? 8000 : facts.order == 2 ? 2000 : facts.steps_of_constant);
   const Problem problem = problems().front();
   Experiment    run     = experiment(problem.parameters);
   run.run(end, step);

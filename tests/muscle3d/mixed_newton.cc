@@ -100,7 +100,7 @@ namespace myolines
           LocalUnknowns z_t;
           trial.u.add(alpha, du);
           trial.u.update_ghost_values();
-          system.advance(at.u, z, trial.u, alpha, z_t);
+          system.advance(at.point(&z, false), trial.u, alpha, z_t);
           Vector there(at.u);
           ASSERT_TRUE(system.residual(trial.point(&z_t, false), there).admissible);
           there -= here;
@@ -119,7 +119,8 @@ namespace myolines
       const Muscle3dSystem system(contracting(1e7), MPI_COMM_WORLD, ledger);
       const Perturbed      at(system, 0), beyond(system, -1.5);
       LocalUnknowns        z_t;
-      system.advance(at.u, system.local(at.u), beyond.u, 1, z_t);
+      const LocalUnknowns  z = system.local(at.u);
+      system.advance(at.point(&z, false), beyond.u, 1, z_t);
       Vector r(at.u);
       EXPECT_FALSE(system.residual(beyond.point(&z_t, false), r).admissible);
     }

@@ -93,8 +93,16 @@ namespace myolines
     friend MYOLINES_INLINE Lanes sqrt(const Lanes &x) { return x.map(__builtin_sqrt); }
     friend MYOLINES_INLINE Lanes cbrt(const Lanes &x) { return x.map(__builtin_cbrt); }
     friend MYOLINES_INLINE Lanes exp(const Lanes &x) { return x.map(__builtin_exp); }
+    friend MYOLINES_INLINE Lanes log(const Lanes &x) { return x.map(__builtin_log); }
     friend MYOLINES_INLINE Lanes sin(const Lanes &x) { return x.map(__builtin_sin); }
     friend MYOLINES_INLINE Lanes cos(const Lanes &x) { return x.map(__builtin_cos); }
+
+    /// f of a double, lane by lane; f is no inline function, which would be compiled for a wide instruction set only.
+    template <typename Function>
+    friend MYOLINES_INLINE Lanes each_lane(const Lanes &x, const Function &f)
+    {
+      return x.map(f);
+    }
 
   private:
     template <typename Function>
@@ -128,6 +136,7 @@ namespace myolines
   MYOLINES_INLINE double sqrt(const double x) { return __builtin_sqrt(x); }
   MYOLINES_INLINE double cbrt(const double x) { return __builtin_cbrt(x); }
   MYOLINES_INLINE double exp(const double x) { return __builtin_exp(x); }
+  MYOLINES_INLINE double log(const double x) { return __builtin_log(x); }
   MYOLINES_INLINE double sin(const double x) { return __builtin_sin(x); }
   MYOLINES_INLINE double cos(const double x) { return __builtin_cos(x); }
 } // namespace myolines

@@ -33,6 +33,7 @@ namespace myolines
     bool                viscous;        ///< some law depends on the rate of strain
     bool                fixed_pressure; ///< actions leave out the change of the pressure
     curves::FibreCurves curves;         ///< of the user, where there are any; borrowed
+    const double       *before;         ///< local array of displacements, as u: forces are those of the step from there to u; or nullptr
 
     bool velocities() const { return rate || viscous; } ///< whether stresses depend on them
   };
@@ -96,9 +97,21 @@ namespace myolines
     tangent_size_rate = 25
   };
 
+  /// The tangent of a step at a Gauss point, derivatives of its stress without the volumetric rank, times w. Fields of lanes.
+  enum StepTangentValue
+  {
+    step_by_F     = 0,  ///< 81: dP/dF_1 at fixed pressure, rows of P, columns of F_1
+    step_volume   = 81, ///< 9: F_m V, by which the pressure enters P
+    step_cofactor = 90, ///< 9: cof F_1 = dJ_1/dF_1
+    step_by_rate  = 99  ///< 81: dP/dF_rate, only if stresses depend on it
+  };
+  inline int step_tangent_size(const KernelModel &model) { return step_by_rate + (model.velocities() ? 81 : 0); }
+
   /// Doubles of the tangent of one batch: the points, then the matrix of the volumetric modes, then Fdot of the points if laws need it.
   inline std::size_t tangent_size(const int n_points, const int n_modes, const KernelModel &model)
   {
+    if (model.before != nullptr)
+      return std::size_t(n_lanes) * (n_points * step_tangent_size(model) + n_modes * n_modes);
     return std::size_t(n_lanes) *
            (n_points * ((model.rate ? tangent_size_rate : tangent_size_0) + (model.viscous ? 9 : 0)) + n_modes * n_modes);
   }

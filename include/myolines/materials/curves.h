@@ -98,6 +98,11 @@ namespace myolines::curves
 
   /// Integral of passive(s)/s from 1 to the stretch [-]: stored energy of the passive fibre over sigma0. Continuous.
   double passive_energy(double stretch, const FibreCurves *user = nullptr);
+  template <typename T>
+  MYOLINES_INLINE T passive_energy(const T &stretch, const FibreCurves *user = nullptr)
+  {
+    return each_lane(stretch, [user](const double s) MYOLINES_INLINED { return passive_energy(s, user); });
+  }
 
   /// Force-velocity factor against strain rate e [-] (negative: shortening), (A.2.3), Ross et al.: zero below -1.2, cubics
   /// with knots -0.25, 0, 0.05, constant 1.595047 above 0.75; slope 6.09 at 0. The constant of the piece that ends at rest is printed as
@@ -141,4 +146,9 @@ namespace myolines::curves
 
   /// Integral of tendon(s)/s from 1 to the stretch [-]. Continuous.
   double tendon_energy(double stretch, const FibreCurves *user = nullptr);
+  template <typename T>
+  MYOLINES_INLINE T tendon_energy(const T &stretch, const FibreCurves *user = nullptr)
+  {
+    return each_lane(stretch, [user](const double s) MYOLINES_INLINED { return tendon_energy(s, user); });
+  }
 } // namespace myolines::curves

@@ -12,7 +12,7 @@ namespace myolines
   //   stress_at_rest            true where the stress is not zero at F = I
   //   parameters(visit)         visit(member, "name", "unit", Bound, "sentence") of each member; what the member holds is the default
   //   stress(s)                 its part of the first Piola-Kirchhoff stress P [Pa] at a Strain, whose pressure is not its business
-  //   energy(s)                 per reference volume [J/m^3], zero at rest, with P = d energy / dF; if it has one
+  //   energy(s)                 per reference volume [J/m^3] for any T, zero at rest, with P = d energy / dF; if it has one
   //   tangent(s, dF, dF_rate)   dP by hand, where speed is worth it; else dual numbers make it of stress(s)
   //
   // Residuals, actions, element matrices, energies, `myolines point`, parts of forces and stresses and help follow.

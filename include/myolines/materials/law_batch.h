@@ -56,6 +56,12 @@ namespace myolines
       });
     }
 
+    static void energy(const LawTerm &term, const LawPoints &points, double *W)
+    {
+      for_each(term, points,
+               [&](const Place &at) { at.lanes(W, at.q) += at.of_tissue(at.weight() * law(term).energy(strain(at.deformation()))); });
+    }
+
   private:
     static const L &law(const LawTerm &term) { return *static_cast<const L *>(term.law); }
 
@@ -144,6 +150,10 @@ namespace myolines
   template <InstructionSet isa, class L>
   constexpr LawKernels make_law_kernels()
   {
-    return {&LawBatch<isa, L>::stress, &LawBatch<isa, L>::action, &LawBatch<isa, L>::coefficients};
+    using Batch = LawBatch<isa, L>;
+    if constexpr (has_energy<L>)
+      return {&Batch::stress, &Batch::action, &Batch::coefficients, &Batch::energy};
+    else
+      return {&Batch::stress, &Batch::action, &Batch::coefficients, nullptr};
   }
 } // namespace myolines

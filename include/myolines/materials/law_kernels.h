@@ -54,6 +54,9 @@ namespace myolines
 
     /// c[((3 a + b) * 9 + 3 A + B) n + q] += moduli in unit-cell directions A and B, times JxW.
     void (*coefficients)(const LawTerm &, const LawPoints &, const LawWeights &, double *c);
+
+    /// W[q] += the energy [J/m^3]; nullptr: the law has none.
+    void (*energy)(const LawTerm &, const LawPoints &, double *W);
   };
 
   // Those of the laws of the list, by number; each is defined in the unit compiled for that instruction set.

@@ -29,6 +29,7 @@ namespace myolines
     bool                      constant_mass     = true;
     bool                      symmetric_tangent = false; ///< K and C as linearised are symmetric
     bool                      energy            = false; ///< the system states its energy, see energetics()
+    bool                      two_states        = false; ///< residuals of a step, see Point::before
     std::vector<unsigned int> orders            = {2};   ///< differential orders of the unknowns that occur
     std::vector<Split>        splits            = {};    ///< see implicit_part()
   };
@@ -60,6 +61,11 @@ namespace myolines
     virtual void prescribed(double t, Side side, State &state) const = 0;
 
     /// r = R(point); @p r has the layout of the state. If the state is inadmissible r is filled with NaN.
+    ///
+    /// With two states u0 (Point::before) and u1 (Point::u) the force is an algorithmic one, whose part of what the system stores in W is a
+    /// discrete gradient (Gonzalez, doi:10.1007/BF02440162): F (u1 - u0) = W(u1) - W(u0), with the moments of a force, and the gradient
+    /// at (u0 + u1)/2 but for terms of second order in u1 - u0. What has no energy is taken in the middle, at the rates Point::v.
+    /// linearise() gives its derivatives by u1, v and a.
     virtual Evaluation residual(const Point &point, Vector &r) const = 0;
 
     /// A system may eliminate unknowns z of single cells, with R(u) = R(u, z(u)). Newton's method converges better if z are iterates
@@ -69,11 +75,9 @@ namespace myolines
     /// z(u) at a displacement that is admissible; empty if the system eliminates nothing. No communication.
     virtual LocalUnknowns local(const Vector & /*u*/) const { return {}; }
 
-    /// The iterate @p z at @p u moves to @p trial, where u has become @p trial_u after the part @p alpha of a Newton step. What becomes
-    /// inadmissible makes the residual there inadmissible. No communication; both vectors need current ghosts.
-    virtual void advance(const Vector & /*u*/, const LocalUnknowns & /*z*/, const Vector & /*trial_u*/, double /*alpha*/,
-                         LocalUnknowns & /*trial*/) const
-    {}
+    /// The iterate z of @p point (Point::local) moves to @p trial, where u has become @p trial_u after the part @p alpha of a Newton step.
+    /// What becomes inadmissible makes the residual there inadmissible. No communication; displacements need current ghosts.
+    virtual void advance(const Point & /*point*/, const Vector & /*trial_u*/, double /*alpha*/, LocalUnknowns & /*trial*/) const {}
 
     /// Storage for linearisations, once.
     virtual std::unique_ptr<Linearisation> make_linearisation() const = 0;

@@ -28,11 +28,12 @@ namespace myolines
     static AlphaCoefficients second_order(double alpha_m, double alpha_f);
   };
 
-  /// F_f of a step; the two differ for nonlinear systems only.
+  /// F_f of a step; they differ for nonlinear systems only.
   enum class ForceEvaluation
   {
     weighted_end_forces, ///< (1 - alpha_f) F(t_1, u_1, v_1) + alpha_f F(t_0, u_0, v_0)
-    averaged_state       ///< F at (1 - alpha_f) (t_1, u_1, v_1) + alpha_f (t_0, u_0, v_0), also for prescribed unknowns
+    averaged_state,      ///< F at (1 - alpha_f) (t_1, u_1, v_1) + alpha_f (t_0, u_0, v_0), also for prescribed unknowns
+    two_states           ///< the force of u_0 and u_1 (Point::before) at averages of t and v; alpha_f = 1/2
   };
 
   /// 2 if gamma = 1/2 - alpha_m + alpha_f, else 1.

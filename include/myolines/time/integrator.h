@@ -43,6 +43,8 @@ namespace myolines
       second_order
     } unknowns = Unknowns::every_order;
 
+    bool two_states = false; ///< takes forces of two states, see Point::before, of systems that are not linear
+
     /// The method has formulas of its own for the velocity and acceleration of a moving boundary, see BoundaryRates::scheme.
     bool scheme_rates = true;
 

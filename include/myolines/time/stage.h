@@ -32,6 +32,8 @@ namespace myolines
     };
     const Average *average = nullptr; ///< none: at the end of the stage
 
+    const Vector *before = nullptr; ///< Point::before, of systems that are not linear; or none
+
     /// First guess of the velocities, or none: those of the guess of d. Where the system has local unknowns (SemiDiscreteSystem::local())
     /// Newton's method starts at the d that belongs to them, and only if it fails at the guess of d. Elsewhere, and then, it starts at
     /// velocities that do not belong to its displacements; its first step closes the gap.

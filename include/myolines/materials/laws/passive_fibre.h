@@ -39,6 +39,15 @@ namespace myolines
       return of_stretch(lam, s.curves);
     }
 
-    double energy(const Strain<double> &s) const { return sigma0 * curves::passive_energy(s.lam, s.curves); }
+    template <typename T>
+    MYOLINES_INLINE T energy_of(const T &lam, const curves::FibreCurves *curves) const
+    {
+      return sigma0 * curves::passive_energy(lam, curves);
+    }
+    template <typename T>
+    MYOLINES_INLINE T energy(const Strain<T> &s) const
+    {
+      return energy_of(s.lam, s.curves);
+    }
   };
 } // namespace myolines

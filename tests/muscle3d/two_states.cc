@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Requirement: forces of two states do the work that the stored energy loses, and have no moments; what is active or viscous acts between.
+#include "simulation.h"
+
+#include <myolines/measures/momenta.h>
+#include <myolines/muscle3d/body_measures.h>
+
+#include <gtest/gtest.h>
+
+namespace myolines
+{
+  namespace
+  {
+    using test::distort;
+    using test::randomise;
+    using test::small_block;
+
+    struct Body
+    {
+      std::string  name;
+      unsigned int degree, n_points;
+      double       bulk_modulus;
+      std::string  tissue = "muscle";
+      bool         laws   = false; ///< all that have an energy
+      bool         active = false; ///< and all others
+
+      Muscle3dParameters parameters() const
+      {
+        Muscle3dParameters p = small_block(degree, n_points, 0);
+        p.geometry.cells     = {{2, 1, 1}};
+        const auto direction = p.muscle().fibre.direction;
+        for (const TissueKind &kind : tissue_kinds())
+          if (kind.name == tissue)
+            p.muscle() = kind.defaults;
+        p.muscle().fibre.direction = direction;
+        p.muscle().bulk_modulus    = bulk_modulus;
+        if (!active)
+          p.activation = nullptr;
+        for (const LawKind &kind : law_kinds())
+          if ((laws && kind.has_energy) || active)
+            p.muscle().laws.push_back({kind.name, kind.make(nullptr), 0.3});
+        return p;
+      }
+    };
+    void PrintTo(const Body &body, std::ostream *out) { *out << body.name; }
+
+    class TwoStates : public ::testing::TestWithParam<Body>
+    {
+    protected:
+      TwoStates()
+        : system_(GetParam().parameters(), MPI_COMM_WORLD, ledger_)
+      {
+        system_.move_mesh(distort);
+        begin_ = end_          = system_.still_state();
+        zero_                  = begin_.u;
+        const NodeSpace &space = *system_.discretisation().space;
+        for (const auto node : space.nodes().locally_owned_dofs())
+          {
+            const dealii::Point<3> &x = space.node_position(node);
+            for (unsigned int d = 0; d < 3; ++d)
+              {
+                begin_.u(3 * node + d) = 0.12 * x[d] + 4 * x[(d + 1) % 3] * x[(d + 2) % 3];
+                end_.u(3 * node + d)   = -0.1 * x[d] + 0.4 * x[(d + 1) % 3] - 3 * x[d] * x[d]; // turned, too
+                end_.v(3 * node + d)   = -0.5 * x[d];
+              }
+          }
+        for (State *state : {&begin_, &end_})
+          {
+            Vector noise(state->u);
+            randomise(noise, 1e-5, state == &end_ ? 1 : 2);
+            state->u += noise;
+          }
+      }
+
+      Vector force(const Vector &before, const Vector &after) const
+      {
+        Vector           r(after);
+        const Evaluation evaluation = system_.residual({0, Side::left, after, end_.v, zero_, nullptr, &before}, r);
+        EXPECT_TRUE(evaluation.admissible) << evaluation.reason;
+        return r;
+      }
+
+      double stored(const Vector &u) const { return system_.energetics({0, u, zero_, zero_}, Side::left).energy; }
+
+      mutable WorkLedger ledger_;
+      Muscle3dSystem     system_;
+      State              begin_, end_;
+      Vector             zero_;
+    };
+
+    TEST_P(TwoStates, TheWorkIsTheChangeOfEnergy)
+    {
+      if (GetParam().active)
+        return;
+      // large, usual, and below the change where the formula gives way to the midpoint
+      for (const double part : {1., 1e-2, 1e-6})
+        {
+          Vector after(begin_.u), change(begin_.u);
+          after.sadd(1 - part, part, end_.u);
+          change -= after;
+          const Vector f    = force(begin_.u, after);
+          double       size = 0;
+          for (const auto i : f.locally_owned_elements())
+            size += std::abs(f(i) * change(i));
+          const double work = -(f * change), energy = stored(after) - stored(begin_.u), rounding = 1e-14 * stored(begin_.u);
+          EXPECT_NEAR(work, energy, 1e-12 * dealii::Utilities::MPI::sum(size, MPI_COMM_WORLD) + rounding) << part;
+          if (part == 1)
+            {
+              EXPECT_GT(std::abs(energy), 1e-3 * stored(begin_.u));
+            }
+        }
+    }
+
+    /// Resultant and moment about the origin of @p f on the body displaced by @p u.
+    std::pair<dealii::Tensor<1, 3>, dealii::Tensor<1, 3>> resultants(const NodeSpace &space, const Vector &f, const Vector &u)
+    {
+      dealii::Tensor<1, 3> force, moment;
+      for (const auto node : space.nodes().locally_owned_dofs())
+        {
+          dealii::Tensor<1, 3> x(space.node_position(node)), at;
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              x[d] += u(3 * node + d);
+              at[d] = f(3 * node + d);
+            }
+          force += at;
+          moment += cross_product_3d(x, at);
+        }
+      return {dealii::Utilities::MPI::sum(force, MPI_COMM_WORLD), dealii::Utilities::MPI::sum(moment, MPI_COMM_WORLD)};
+    }
+
+    TEST_P(TwoStates, ForcesBalanceInTheMiddle)
+    {
+      const Vector f = force(begin_.u, end_.u);
+      Vector       middle(begin_.u);
+      middle.sadd(0.5, 0.5, end_.u);
+      const auto [sum, moment] = resultants(*system_.discretisation().space, f, middle);
+      EXPECT_LT(sum.norm(), 1e-12 * f.l1_norm());
+      EXPECT_LT(moment.norm(), 1e-12 * f.l1_norm() * 0.03);
+    }
+
+    TEST_P(TwoStates, OfOneStateTheyAreItsForces)
+    {
+      Vector plain(end_.u);
+      ASSERT_TRUE(system_.residual({0, Side::left, end_.u, end_.v, zero_}, plain).admissible);
+      plain -= force(end_.u, end_.u);
+      EXPECT_LT(plain.l2_norm(), 1e-12 * force(end_.u, end_.u).l2_norm());
+    }
+
+    /// The gap to the force in the middle falls with the square of the step.
+    TEST_P(TwoStates, TheyAreOfSecondOrder)
+    {
+      double gaps[2];
+      for (const int i : {0, 1})
+        {
+          const double part = i == 0 ? 0.04 : 0.02;
+          Vector       after(begin_.u), middle(begin_.u), f(begin_.u);
+          after.sadd(1 - part, part, end_.u);
+          middle.sadd(1 - part / 2, part / 2, end_.u);
+          ASSERT_TRUE(system_.residual({0, Side::left, middle, end_.v, zero_}, f).admissible);
+          f -= force(begin_.u, after);
+          gaps[i] = f.l2_norm();
+        }
+      EXPECT_NEAR(gaps[0] / gaps[1], 4, 0.7);
+    }
+
+    INSTANTIATE_TEST_SUITE_P(Of, TwoStates,
+                             ::testing::Values(Body{"q1", 1, 2, 1e6}, Body{"q2", 2, 3, 1e6}, Body{"q2_nearly_incompressible", 2, 4, 1e9},
+                                               Body{"q3", 3, 4, 1e7}, Body{"laws", 2, 3, 1e6, "muscle", true},
+                                               Body{"tendon", 2, 3, 1e7, "tendon"},
+                                               Body{"active_and_viscous", 2, 3, 1e6, "muscle", true, true}),
+                             [](const auto &info) { return info.param.name; });
+
+    /// A free bar, wound up and thrown, of a material of shear modulus @p mu and bulk modulus @p kappa.
+    Muscle3dParameters thrown_bar(const double mu, const double kappa)
+    {
+      Muscle3dParameters p    = small_block(2, 3, 0);
+      p.geometry.size         = {{0.06, 0.01, 0.01}};
+      p.geometry.cells        = {{4, 1, 1}};
+      p.activation            = nullptr;
+      p.boundary              = {};
+      p.muscle().bulk_modulus = kappa;
+      p.muscle().base         = {};
+      for (const LawKind &kind : law_kinds())
+        if (kind.name == "yeoh")
+          p.muscle().laws = {{"shear", kind.make(nullptr), mu / 2e4}};
+      p.initial.velocity =
+          std::array<std::string, 3>{{"20*y + 0.1", "6000*(x - 0.03)*(z - 0.005) + 10*x", "-6000*(x - 0.03)*(y - 0.005) - 5*x"}};
+      return p;
+    }
+
+    class Thrown : public ::testing::TestWithParam<double>
+    {
+    };
+
+    TEST_P(Thrown, BarsKeepEnergyAndMomenta)
+    {
+      constexpr double mu = 2e4;
+      test::Simulation run(thrown_bar(mu, GetParam() * mu), {"relative tolerance=1e-12", "absolute tolerance=1e-13"});
+      const Momenta    first          = measure_momenta(run.system, run.state);
+      const auto       energy         = [&](const State &state) { return run.system.energetics(state, Side::left).energy; };
+      const double     at_start       = energy(run.state);
+      double           largest_stored = 0;
+      run.go("energy momentum", 40, 0.04, [&](const State &state) {
+        const Momenta now = measure_momenta(run.system, state);
+        EXPECT_NEAR(energy(state), at_start, 1e-9 * at_start) << state.t;
+        EXPECT_LT((now.momentum - first.momentum).norm(), 1e-10 * first.momentum.norm()) << state.t;
+        EXPECT_LT((now.angular_momentum - first.angular_momentum).norm(), 1e-10 * first.angular_momentum.norm()) << state.t;
+        State still    = state;
+        still.v        = 0;
+        largest_stored = std::max(largest_stored, energy(still));
+      });
+      EXPECT_GT(largest_stored, 0.1 * at_start);
+    }
+
+    INSTANTIATE_TEST_SUITE_P(KappaOverMu, Thrown, ::testing::Values(100., 5000.),
+                             [](const auto &info) { return std::to_string(static_cast<int>(info.param)); });
+
+    TEST(Held, ConstantLoadsAndSpringsKeepTheirEnergy)
+    {
+      Muscle3dParameters p = thrown_bar(2e4, 2e6);
+      p.boundary           = {test::held(0), test::condition("traction", 1, {"traction y=2000"}),
+                              test::condition("elastic foundation", 3, {"stiffness=1e5", "normal stiffness=2e5"})};
+      p.initial.velocity   = std::nullopt;
+      test::Simulation run(p, {"relative tolerance=1e-10"});
+      const Energetics first = run.system.energetics(run.state, Side::right);
+      double           work = 0, largest = 0;
+      State            last = run.state;
+      run.go("energy momentum", 20, 0.04, [&](const State &state) {
+        const Energetics now = run.system.energetics(state, Side::left), before = run.system.energetics(last, Side::right);
+        work += (state.t - last.t) / 2 * (before.rates.external + now.rates.external); // exact, as the load is constant
+        last    = state;
+        largest = std::max(largest, now.energy);
+        EXPECT_NEAR(now.energy - first.energy, work, 1e-8 * largest) << state.t;
+      });
+      EXPECT_GT(largest, 1e-6);
+    }
+  } // namespace
+} // namespace myolines
