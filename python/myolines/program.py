@@ -43,7 +43,7 @@ def call(words: List[str], quiet: bool = True) -> str:
             out, err = process.communicate()
             break
         except KeyboardInterrupt:
-            if not interrupted and not sys.stdin.isatty():
+            if not interrupted and not (sys.stdin and sys.stdin.isatty()):
                 process.send_signal(signal.SIGINT)  # a terminal has sent it already
             interrupted = True
     code, text = process.returncode, err.strip()

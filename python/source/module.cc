@@ -7,6 +7,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <dlfcn.h>
+
 #include <memory>
 
 namespace myolines
@@ -49,6 +51,8 @@ PYBIND11_MODULE(_core, module)
   using namespace myolines;
   using namespace myolines::python;
   module.doc() = "What the package myolines needs of the library; see the package for everything that is meant to be used.";
+  // Plug-ins look for the library among the symbols that all may see; Python has loaded it for this module alone.
+  dlopen(MYOLINES_LIBRARY, RTLD_NOLOAD | RTLD_GLOBAL | RTLD_NOW);
   bind_errors(module);
   bind_scenes(module);
   bind_runs(module);

@@ -55,6 +55,12 @@ grep -q '"plug-ins".*"methods"' template.xml || fail "the template does not name
 grep -q '"integrator rho bathe"' run/manifest.json || fail "the manifest does not name it"
 "$myolines" run template.xml --quiet --out run --resume --set time/end=12
 
+if [ -d "$prefix/lib/python3/dist-packages/myolines" ]; then
+  python=$(sed -n 's/^_Python_EXECUTABLE:INTERNAL=//p' "$1/CMakeCache.txt")
+  MYOLINES_PLUGIN_PATH=$PWD/build PYTHONPATH=$prefix/lib/python3/dist-packages "$python" -B -c \
+    'import myolines; myolines.Simulation("template.xml").advance(1)' || fail "Python does not load it"
+fi
+
 # The same source as one of those that are built in: the same numbers.
 "$myolines" run "$scene" --quiet --out built_in --set integrator/type=bathe
 "$myolines" run "$scene" --quiet --out plugged_in "${of_it[@]}"

@@ -4,7 +4,6 @@
 import os
 import signal
 import subprocess
-import threading
 import unittest
 
 import numpy as np
@@ -99,6 +98,19 @@ class Studies(FolderTest):
         study = myolines.study(os.path.join(INPUT, "studies", "convergence_oscillator.xml"), self.place("study"), jobs=2)
         self.assertEqual(study.table.n_rows, 7)
         self.assertIn("<Study", repr(study))
+
+    def test_interrupted_and_gone_on_with(self):
+        def interrupt(*_):
+            raise KeyboardInterrupt
+
+        def study(**more):
+            return myolines.study(os.path.join(INPUT, "studies", "convergence_oscillator.xml"), self.place("study"), jobs=1, **more)
+
+        self.addCleanup(signal.signal, signal.SIGALRM, signal.signal(signal.SIGALRM, interrupt))
+        signal.setitimer(signal.ITIMER_REAL, 0.15)
+        with self.assertRaises(myolines.Interrupted):
+            study()
+        self.assertEqual(study().table.n_rows, 7)
 
     def test_errors_of_the_program(self):
         with self.assertRaisesRegex(myolines.InputError, "nothing.xml"):

@@ -94,6 +94,13 @@ inside "
   mpirun -np 2 myolines run /usr/share/myolines/input/isometric_block.xml --quiet --out block --set system/geometry/refinement=1
   grep '\"ranks\": 2' block/manifest.json"
 
+begin "the Python package"
+inside "
+  cd \$(mktemp -d)
+  python3 -B -c 'import math, myolines
+u = myolines.Simulation(\"/usr/share/myolines/input/oscillator.xml\").advance(1).u[0]
+assert abs(u - math.cos(1)) < 0.01, u'"
+
 begin "projects that use the library"
 inside "
   cd \$(mktemp -d) && cp -r /src/myolines/examples/. .
