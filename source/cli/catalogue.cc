@@ -12,6 +12,8 @@
 #include <myolines/observers/outputs.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
+#include <myolines/particles/mass_chain.h>
+#include <myolines/particles/spring_pendulum.h>
 #include <myolines/rod1d/rod1d_system.h>
 #include <myolines/scene/node_builder.h>
 #include <myolines/scene/numbers.h>
@@ -113,6 +115,19 @@ namespace myolines
       return assembled;
     }
 
+    AssembledSystem make_mass_chain(const Node &node, WorkLedger &ledger, InstructionSet)
+    {
+      const MassChainParameters parameters = read_mass_chain(node);
+      AssembledSystem           assembled  = assemble(std::make_unique<MassChain>(parameters, ledger), ledger);
+      assembled.files                      = files_among({parameters.support.get()});
+      return assembled;
+    }
+
+    AssembledSystem make_spring_pendulum(const Node &node, WorkLedger &ledger, InstructionSet)
+    {
+      return assemble(std::make_unique<SpringPendulum>(read_spring_pendulum(node), ledger), ledger);
+    }
+
     SizeEstimate muscle3d_size(const Node &node, const unsigned int ranks)
     {
       const Muscle3dSizes sizes = estimate_sizes(read_muscle3d(node), ranks);
@@ -120,6 +135,11 @@ namespace myolines
     }
 
     SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0, 0, true}; }
+
+    SizeEstimate mass_chain_size(const Node &node, unsigned int)
+    {
+      return {1. + static_cast<double>(read_mass_chain(node).masses.size()), 0, 0, 0, true};
+    }
 
     AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger, InstructionSet)
     {
@@ -203,6 +223,13 @@ namespace myolines
                                                   {"time/end", "0.2"},
                                                   {"time/step", "0.025"}};
       const std::vector<scene::Setting> swinging{{"title", "Free oscillation"}, {"time/end", "10"}, {"time/step", "0.1"}};
+      const std::vector<scene::Setting> led{{"title", "Two masses behind a stiff spring"},
+                                            {"system/support/type", "sine"},
+                                            {"system/support/amplitude", "1"},
+                                            {"system/support/frequency", "0.1909859317102744"},
+                                            {"time/end", "0.5"},
+                                            {"time/step", "5e-4"}};
+      const std::vector<scene::Setting> turning{{"title", "A mass on a stiff spring"}, {"time/end", "1"}, {"time/step", "1e-3"}};
       const std::vector<scene::Setting> stretched{{"title", "Stretching an elastic rod"},
                                                   {"system/profile/type", "smooth step"},
                                                   {"system/profile/amplitude", "0.1"},
@@ -246,7 +273,9 @@ namespace myolines
                isometric_chain_size,
                {"elements"}},
               {"rod 1d", rod1d_schema, rod1d_output_schema, stretched, {{"", {}}}, make_rod1d, rod1d_size, {"elements", false, "degree"}},
-              {"oscillator", oscillator_schema, oscillator_output_schema, swinging, {{"", {}}}, make_oscillator, oscillator_size, {}}};
+              {"oscillator", oscillator_schema, oscillator_output_schema, swinging, {{"", {}}}, make_oscillator, oscillator_size, {}},
+              {"mass chain", mass_chain_schema, particle_output_schema, led, {{"", {}}}, make_mass_chain, mass_chain_size, {}},
+              {"spring pendulum", spring_pendulum_schema, particle_output_schema, turning, {{"", {}}}, make_spring_pendulum, oscillator_size, {}}};
     }
 
     Schema integrator_schema()

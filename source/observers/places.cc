@@ -3,26 +3,9 @@
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace myolines
 {
-  std::vector<double> read_numbers(const scene::Node &node, const std::string &parameter, const std::string &what)
-  {
-    std::vector<double> values;
-    std::istringstream  words(node.text(parameter));
-    for (std::string word; words >> word;)
-      {
-        const auto value = scene::parse_number(word);
-        if (!value)
-          node.refuse(parameter, "\"" + word + "\" is not a finite number", what);
-        values.push_back(*value);
-      }
-    if (values.empty())
-      node.refuse(parameter, "there is no number", what);
-    return values;
-  }
-
   void add_strain_places(scene::Schema &series, const std::string &where)
   {
     series.optional_text("strain places",
@@ -35,7 +18,7 @@ namespace myolines
     if (!series.has("strain places"))
       return {};
     const std::string   what   = "numbers above 0, up to 1";
-    std::vector<double> places = read_numbers(series, "strain places", what);
+    std::vector<double> places = series.numbers("strain places", what);
     if (std::any_of(places.begin(), places.end(), [](const double p) { return p <= 0 || p > 1; }))
       series.refuse("strain places", "a place is not on the body or at its beginning", what);
     return places;

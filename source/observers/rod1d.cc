@@ -155,13 +155,13 @@ namespace myolines
   {
     std::vector<std::unique_ptr<Observer>> observers;
     const scene::Node                     &series = output.section("series");
-    const std::vector<double>              places = read_numbers(series, "places", "numbers from 0 to 1");
+    const std::vector<double>              places = series.numbers("places", "numbers from 0 to 1");
     if (std::any_of(places.begin(), places.end(), [](const double x) { return x < 0 || x > 1; }))
       series.refuse("places", "a place is not on the rod", "numbers from 0 to 1");
     observers.push_back(std::make_unique<RodSeries>(series, system, places, folder));
     if (output.has("nodal states"))
       observers.push_back(std::make_unique<NodalStates>(
-          system, sorted(read_numbers(output.section("nodal states"), "times", "times [s], separated by spaces")), folder));
+          system, sorted(output.section("nodal states").numbers("times", "times [s], separated by spaces")), folder));
     if (output.has("motion"))
       observers.push_back(make_motion(
           output.section("motion"), trace_columns(places), [&system, places](const State &state) { return trace(system, places, state); },

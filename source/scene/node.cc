@@ -3,6 +3,7 @@
 #include <myolines/scene/scene.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace myolines::scene
@@ -36,6 +37,22 @@ namespace myolines::scene
   bool Node::boolean(const std::string &name) const { return value(name, Kind::boolean).text == "true"; }
 
   std::string Node::text(const std::string &name) const { return value(name, Kind::text).text; }
+
+  std::vector<double> Node::numbers(const std::string &name, const std::string &expected) const
+  {
+    std::vector<double> values;
+    std::istringstream  words(text(name));
+    for (std::string word; words >> word;)
+      {
+        const auto value = parse_number(word);
+        if (!value)
+          refuse(name, "\"" + word + "\" is not a finite number", expected);
+        values.push_back(*value);
+      }
+    if (values.empty())
+      refuse(name, "there is no number", expected);
+    return values;
+  }
 
   std::filesystem::path Node::file(const std::string &name) const { return value(name, Kind::file).text; }
 

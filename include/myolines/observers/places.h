@@ -8,9 +8,6 @@
 
 namespace myolines
 {
-  /// Finite numbers separated by spaces. @throws InputError through node.refuse, which says that @p what was expected.
-  std::vector<double> read_numbers(const scene::Node &node, const std::string &parameter, const std::string &what);
-
   /// Adds the optional parameter `strain places` to the list @p series; @p where says which points x stands for.
   void add_strain_places(scene::Schema &series, const std::string &where);
 

@@ -23,6 +23,9 @@ namespace myolines::scene
     std::string           text(const std::string &name) const; ///< also for choices
     std::filesystem::path file(const std::string &name) const; ///< resolved against the folder of the scene
 
+    /// The finite numbers, separated by blanks, that a text holds. @throws InputError, as refuse(), where it holds none or something else.
+    std::vector<double> numbers(const std::string &name, const std::string &expected) const;
+
     /// All files that this list and those in it name.
     std::vector<std::filesystem::path> files() const;
 
