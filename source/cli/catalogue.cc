@@ -131,10 +131,10 @@ namespace myolines
     SizeEstimate muscle3d_size(const Node &node, const unsigned int ranks)
     {
       const Muscle3dSizes sizes = estimate_sizes(read_muscle3d(node), ranks);
-      return {sizes.n_unknowns, sizes.bytes, sizes.matrix_bytes, sizes.two_level_bytes};
+      return {sizes.n_unknowns, sizes.bytes, sizes.matrix_bytes, false, sizes.tangent_bytes, sizes.patch_bytes, sizes.coarse_bytes};
     }
 
-    SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0, 0, true}; }
+    SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, true}; }
 
     SizeEstimate mass_chain_size(const Node &node, unsigned int)
     {
@@ -180,7 +180,7 @@ namespace myolines
     SizeEstimate muscle1d_size(const double n_elements, const double degree, const double activations)
     {
       const double n = n_elements * (degree + activations), width = degree + activations;
-      return {n, n * sizeof(double) * (20 + 3 * (2 * width + 1) + 3 * width + 1), 0, 0, true};
+      return {n, n * sizeof(double) * (20 + 3 * (2 * width + 1) + 3 * width + 1), 0, true};
     }
 
     double activations(const Node &node) { return node.text("activation") == "unknown" ? 1 : 0; }
@@ -202,7 +202,7 @@ namespace myolines
     {
       const Rod1dParameters rod = read_rod1d(node);
       const double          n   = 1. + static_cast<double>(rod.n_elements) * rod.degree;
-      return {n, n * sizeof(double) * (20 + 2 * (3 * rod.degree + 1)), 0, 0, true};
+      return {n, n * sizeof(double) * (20 + 2 * (3 * rod.degree + 1)), 0, true};
     }
 
     std::deque<SystemEntry> make_catalogue()

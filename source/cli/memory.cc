@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace myolines
@@ -19,27 +20,43 @@ namespace myolines
     /// Bytes on one rank.
     struct Need
     {
-      double program        = memory_of_the_program;
-      double system         = 0;
-      double krylov         = 0;
-      double preconditioner = 0;
+      std::vector<std::pair<std::string, double>> rows{{"program", memory_of_the_program}};
 
-      double total() const { return program + system + krylov + preconditioner; }
+      void add(const std::string &what, const double bytes)
+      {
+        if (bytes > 0)
+          rows.emplace_back(what, bytes);
+      }
+      double total() const
+      {
+        return std::accumulate(rows.begin(), rows.end(), 0., [](const double sum, const auto &row) { return sum + row.second; });
+      }
     };
 
-    /// Bytes of the preconditioner. Factors of a three-dimensional body grow like n^(4/3): 0.2 GB for 14,739 unknowns, 3 GB
-    /// for 107,811. A hierarchy takes at most what its matrix takes.
-    double preconditioner_bytes(const scene::Node &preconditioner, const SizeEstimate &size, const double ranks)
+    /// Vectors of a solve: of flexible gmres those of a third more iterations than solves at default tolerances take on the 3D muscle,
+    /// one in double and one in single precision for each, and some around them.
+    double krylov_bytes(const scene::Node &linear, const double n_unknowns)
     {
-      const std::string wanted = preconditioner.text("type");
-      const std::string type =
-          wanted == "automatic"
-              ? automatic_choice(preconditioner, static_cast<std::size_t>(std::min(size.n_unknowns, 1e18)), size.two_level_bytes > 0)
-              : wanted;
-      const double factors = 560 * std::pow(size.n_unknowns, 4. / 3) / ranks;
+      constexpr int around = 7, iterations = 30;
+      return n_unknowns *
+             (around * sizeof(double) + std::min(iterations, int(linear.integer("restart"))) * (sizeof(double) + sizeof(float)));
+    }
+
+    /// Factors of a three-dimensional body grow like n^(4/3): 0.2 GB for 14,739 unknowns, 3 GB for 107,811. A hierarchy takes at most what
+    /// its matrix takes.
+    void add_preconditioner(const std::string &type, const SizeEstimate &size, const double ranks, Need &need)
+    {
+      if (type == "p multigrid")
+        {
+          need.add("patches", size.patch_bytes);
+          need.add("coarse level", size.coarse_bytes);
+          return;
+        }
+      need.add("assembled tangent", size.matrix_bytes);
       if (type == "direct")
-        return size.matrix_bytes + factors;
-      return type == "p multigrid" ? size.two_level_bytes : 2 * size.matrix_bytes;
+        need.add("factors", 560 * std::pow(size.n_unknowns, 4. / 3) / ranks);
+      if (type == "ml")
+        need.add("hierarchy", size.matrix_bytes);
     }
 
     Need need(const scene::Node &scene)
@@ -52,11 +69,16 @@ namespace myolines
       const SizeEstimate size = system_entry(system.text("type"), system.where("type")).size(system, ranks);
 
       Need need;
-      need.system = size.bytes;
-      if (size.banded && preconditioner.text("type") == "automatic")
+      need.add("system", size.bytes);
+      const std::string wanted = preconditioner.text("type");
+      if (size.banded && wanted == "automatic")
         return need;
-      need.krylov         = (2. * linear.integer("restart") + 7) * size.n_unknowns / ranks * sizeof(double);
-      need.preconditioner = preconditioner_bytes(preconditioner, size, ranks);
+      need.add("tangent", size.tangent_bytes);
+      need.add("Krylov vectors", krylov_bytes(linear, size.n_unknowns / ranks));
+      add_preconditioner(wanted == "automatic" ? automatic_choice(preconditioner, static_cast<std::size_t>(std::min(size.n_unknowns, 1e18)),
+                                                                  size.patch_bytes > 0)
+                                               : wanted,
+                         size, ranks, need);
       return need;
     }
 
@@ -84,10 +106,12 @@ namespace myolines
   {
     const Need        n     = need(scene);
     const MemoryLimit limit = memory_limit();
-    return {"memory of a rank: about " + gigabytes(n.total()) + " (program " + gigabytes(n.program) + ", system and tangent " +
-                gigabytes(n.system) + ", Krylov vectors " + gigabytes(n.krylov) + ", preconditioner " + gigabytes(n.preconditioner) + ")",
-            "memory of this node: " + gigabytes(limit.bytes) + ", " + limit.origin + ", for " + std::to_string(ranks_of_this_node()) +
-                " rank(s)"};
+    std::string       rows;
+    for (const auto &[what, bytes] : n.rows)
+      rows += (rows.empty() ? "" : ", ") + what + " " + gigabytes(bytes);
+    return {"memory of a rank: about " + gigabytes(n.total()) + " (" + rows + ")", "memory of this node: " + gigabytes(limit.bytes) + ", " +
+                                                                                       limit.origin + ", for " +
+                                                                                       std::to_string(ranks_of_this_node()) + " rank(s)"};
   }
 
   void refuse_too_large(const scene::Node &scene)

@@ -93,18 +93,24 @@ namespace myolines
     const double row      = 3 * std::pow(2 * k + 1, 3); // most entries of a row of a regular mesh
     const double mesh     = 2000;                       // bytes of a cell in mesh and numbering, measured
 
-    const double points = std::pow(parameters.n_points, 3), lean = std::pow(k + 1, 3);
-    const double star     = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
-    const double tangents = (tangent_size_rate + (parameters.viscous() ? 9 : 0)) * sizeof(double) * own;
+    const double points = std::pow(parameters.n_points, 3);
+    const double star   = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
+    const double tangents =
+        ((parameters.force_velocity() ? tangent_size_rate : tangent_size_0) + (parameters.viscous() ? 9 : 0)) * sizeof(double) * own;
 
-    sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
-    sizes.bytes =
-        20 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double)) + points * tangents;
+    sizes.matrix_bytes  = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
+    sizes.bytes         = 20 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
+    sizes.tangent_bytes = points * tangents + own * modes * modes * sizeof(double);
     if (k > 1)
-      sizes.two_level_bytes = own * star * (star + 1) / 2 * sizeof(float) +                         // patches, one for each vertex
-                              seen * 8 * 3 * std::pow(k, 3) * sizeof(short) +                       // places of their entries
-                              unknowns / std::pow(k, 3) * 81 * 2 * (sizeof(double) + sizeof(int)) + // coarse matrix, hierarchy
-                              (parameters.n_points > k + 1 ? lean * tangents : 0.);
+      {
+        const double entry  = widest_instruction_set() == InstructionSet::baseline ? sizeof(float) : sizeof(float) / 2.;
+        const double places = seen * 8 * (3 * std::pow(k, 3) * sizeof(short) + sizeof(int)); // of entries of cells
+        sizes.patch_bytes   = own * star * ((star + 1) / 2 * entry + sizeof(float) + sizeof(int)) + places;
+        // Rows of 81 entries and where cells add to them, their hierarchy, and their copy of 40 bytes for a block of nine; interpolation.
+        const double coarse = unknowns / std::pow(k, 3);
+        sizes.coarse_bytes  = coarse * 81 * (2 * (sizeof(double) + sizeof(int)) + 40. / 9) + seen * 8 * 24 * sizeof(int) + 20 * unknowns +
+                             (parameters.n_points > k + 1 ? std::pow(k + 1, 3) * tangents : 0.);
+      }
     return sizes;
   }
 } // namespace myolines

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "blocked_rows.h"
+
 #include <myolines/solve/preconditioner.h>
 
-#include <Epetra_CrsMatrix.h>
 #include <Epetra_Vector.h>
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
@@ -43,7 +44,13 @@ namespace myolines
           add_null_space(*multilevel, list);
 
         ML_set_random_seed(seed);
-        hierarchy_ = std::make_unique<ML_Epetra::MultiLevelPreconditioner>(matrix.trilinos_matrix(), list, false);
+        hierarchy_.reset();
+        blocked_.reset();
+        const Epetra_CrsMatrix &rows = matrix.trilinos_matrix();
+        if (multilevel != nullptr && multilevel->unknowns_per_node == 3 && BlockedRows::suits(rows))
+          blocked_ = std::make_unique<BlockedRows>(rows);
+        const Epetra_RowMatrix &seen = blocked_ ? static_cast<const Epetra_RowMatrix &>(*blocked_) : rows;
+        hierarchy_                   = std::make_unique<ML_Epetra::MultiLevelPreconditioner>(seen, list, false);
         if (hierarchy_->ComputePreconditioner() != 0)
           throw std::runtime_error("ml: the hierarchy could not be built");
         map_ = &matrix.trilinos_matrix().OperatorRangeMap();
@@ -79,6 +86,7 @@ namespace myolines
       const double                                         threshold_;
       const unsigned int                                   coarse_size_;
       std::vector<double>                                  null_space_;
+      std::unique_ptr<BlockedRows>                         blocked_; ///< of the matrix, where it suits
       std::unique_ptr<ML_Epetra::MultiLevelPreconditioner> hierarchy_;
       const Epetra_Map                                    *map_ = nullptr;
     };

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/solve/preconditioner.h>
 
+#if defined(__GLIBC__)
+#  include <malloc.h>
+#endif
+
 #include <cmath>
 #include <stdexcept>
 
@@ -48,9 +52,12 @@ namespace myolines
                     : make_ml();
           coarse_->factorise(levels_->coarse, &levels_->coarse_data);
         }
-        for (Vector *x : {&r_, &z_, &s_, &d_, &Ad_})
+        give_back();
+        for (Vector *x : {&r_, &z_, &d_, &Ad_})
           if (x->size() != tangent.layout().size())
             *x = tangent.layout();
+        if (settings_.degree > 1 && s_.size() != tangent.layout().size())
+          s_ = tangent.layout();
         if (r_coarse_.size() != levels_->coarse_layout.size())
           {
             r_coarse_ = z_coarse_ = levels_->coarse_layout;
@@ -76,6 +83,15 @@ namespace myolines
       }
 
     private:
+      /// The set-up of the coarse level takes and frees many arrays of all sizes. What it has left between others stays with the process
+      /// unless it is told.
+      static void give_back()
+      {
+#if defined(__GLIBC__)
+        malloc_trim(0);
+#endif
+      }
+
       /// y = J x, the lean one where there is one.
       void act(const Vector &x, Vector &y) const
       {

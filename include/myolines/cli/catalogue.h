@@ -44,11 +44,13 @@ namespace myolines
   /// How large a system will be, known before it is made.
   struct SizeEstimate
   {
-    double n_unknowns      = 0;     ///< on all ranks
-    double bytes           = 0;     ///< on each rank: system, stored tangent, vectors of a run
-    double matrix_bytes    = 0;     ///< on each rank: the assembled tangent
-    double two_level_bytes = 0;     ///< on each rank: patches and coarse level; 0: the system has no two levels
-    bool   banded          = false; ///< solved directly in bytes, unless the scene names a preconditioner
+    double n_unknowns    = 0;     ///< on all ranks
+    double bytes         = 0;     ///< on each rank: system and vectors of a run
+    double matrix_bytes  = 0;     ///< on each rank: the assembled tangent
+    bool   banded        = false; ///< solved directly in bytes, unless the scene names a preconditioner
+    double tangent_bytes = 0;     ///< on each rank: what actions of the tangent keep
+    double patch_bytes   = 0;     ///< on each rank: inverses of patches; 0: the system has no two levels
+    double coarse_bytes  = 0;     ///< on each rank: what else two levels keep
   };
 
   /// A kind of unknowns that a system may have: with inertia, without, ...

@@ -95,11 +95,13 @@ namespace myolines
   /// Sizes of a muscle, estimated from its parameters before anything is made. Numbers, as they may be beyond all integers.
   struct Muscle3dSizes
   {
-    double n_cells         = 0; ///< on all ranks
-    double n_unknowns      = 0; ///< on all ranks
-    double bytes           = 0; ///< on each rank: mesh, batches, assembled tangent and the vectors of a run
-    double matrix_bytes    = 0; ///< on each rank: the assembled tangent
-    double two_level_bytes = 0; ///< on each rank: patches and coarse level; 0: the system has no two levels
+    double n_cells       = 0; ///< on all ranks
+    double n_unknowns    = 0; ///< on all ranks
+    double bytes         = 0; ///< on each rank: mesh, batches and the vectors of a run
+    double matrix_bytes  = 0; ///< on each rank: the assembled tangent
+    double tangent_bytes = 0; ///< on each rank: what actions of the tangent keep at the points
+    double patch_bytes   = 0; ///< on each rank: inverses of patches; 0: the system has no two levels
+    double coarse_bytes  = 0; ///< on each rank: coarse level, its hierarchy, and the cheaper tangent that goes with it
   };
   Muscle3dSizes estimate_sizes(const Muscle3dParameters &parameters, unsigned int ranks);
 } // namespace myolines
