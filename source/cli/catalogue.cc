@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "assemble.h"
+
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/plugins.h>
-#include <myolines/measures/body_facts.h>
-#include <myolines/measures/rigid_motions.h>
 #include <myolines/muscle1d/isometric_chain.h>
 #include <myolines/muscle1d/muscle_tendon_unit.h>
 #include <myolines/muscle3d/muscle3d_system.h>
-#include <myolines/muscle3d/plausibility.h>
 #include <myolines/observers/outputs.h>
 #include <myolines/oscillator/oscillator_system.h>
 #include <myolines/output/checkpoint_keeper.h>
@@ -26,87 +25,20 @@
 
 namespace myolines
 {
+  using scene::Node;
+  using scene::Schema;
+
+  void note_drives(const std::vector<const Drive *> &drives, AssembledSystem &assembled)
+  {
+    for (const Drive *drive : drives)
+      if (const FileDrive *file = file_of(drive))
+        assembled.files.push_back(file);
+      else if (const auto steering = steering_of(drive))
+        assembled.steered.push_back(steering);
+  }
+
   namespace
   {
-    using scene::Node;
-    using scene::Schema;
-
-    template <typename System>
-    AssembledSystem assemble(std::unique_ptr<System> system, WorkLedger &ledger)
-    {
-      AssembledSystem assembled;
-      assembled.make_outputs = [&system = *system, &ledger](const Node &output, const OutputFolder &folder) {
-        return myolines::make_outputs(output, system, folder, ledger);
-      };
-      assembled.system = std::move(system);
-      return assembled;
-    }
-
-    /// What the outside has to do with @p drives: files that they are read from, and who steers them.
-    void note_drives(const std::vector<const Drive *> &drives, AssembledSystem &assembled)
-    {
-      for (const Drive *drive : drives)
-        if (const FileDrive *file = file_of(drive))
-          assembled.files.push_back(file);
-        else if (const auto steering = steering_of(drive))
-          assembled.steered.push_back(steering);
-    }
-
-    std::vector<const Drive *> drives_of(const Muscle3dParameters &parameters)
-    {
-      std::vector<const Drive *> drives = parameters.activation_drives();
-      for (const auto &condition : parameters.boundary)
-        for (const Drive *drive : condition->drives())
-          drives.push_back(drive);
-      return drives;
-    }
-
-    /// @p what needs a body that is held.
-    void refuse_free_motions(const Muscle3dSystem &body, const Node &node, const std::string &parameter, const std::string &what)
-    {
-      const FreeMotions free = free_motions(body.parameters(), body.discretisation());
-      if (free.any())
-        node.refuse(parameter, what + " needs a body that is held; nothing holds this one against " + free.words(),
-                    "boundary conditions or springs against all rigid motions, or a dynamic body that starts as given");
-    }
-
-    void require_equilibrium(const Muscle3dSystem &body, const Node &node, const std::string &parameter)
-    {
-      if (body.parameters().initial.displacement)
-        node.refuse(parameter, "the scene gives initial displacements, which an equilibrium would replace",
-                    "\"as given\", or no displacements in \"system/initial motion\"");
-      refuse_free_motions(body, node, parameter, "an equilibrium");
-    }
-
-    AssembledSystem make_muscle3d(const Node &node, WorkLedger &ledger, const InstructionSet set)
-    {
-      auto                     system     = std::make_unique<Muscle3dSystem>(read_muscle3d(node), MPI_COMM_WORLD, ledger, set);
-      const Muscle3dParameters parameters = system->parameters();
-      std::vector<std::string> plan       = system->plan();
-      plan.push_back("cells: " + std::to_string(system->n_cells()));
-
-      const std::string why_no_line = system->line_of_action().why_none;
-      AssembledSystem   assembled   = assemble(std::move(system), ledger);
-      assembled.plan                = std::move(plan);
-      assembled.warnings            = implausible_values(parameters);
-      note_drives(drives_of(parameters), assembled);
-      const auto &body = dynamic_cast<const Muscle3dSystem &>(*assembled.system);
-      if (!parameters.dynamic)
-        refuse_free_motions(body, node, "inertia", "a quasi-static system");
-      assembled.require_equilibrium = [&body](const Node &time, const std::string &parameter) {
-        require_equilibrium(body, time, parameter);
-      };
-      assembled.measure = [&body] { return body_facts(body); };
-      if (!why_no_line.empty())
-        assembled.warnings.push_back(
-            "there is no line of action: " + why_no_line +
-            "; forces, lengths and means along it are left out. A list \"line of action\" in \"system\" gives one");
-      if (parameters.dynamic && parameters.degree == 2 && parameters.n_points < 4)
-        assembled.warnings.push_back("dynamic runs of degree 2 want at least 4 quadrature points per direction, this scene has " +
-                                     std::to_string(parameters.n_points));
-      return assembled;
-    }
-
     AssembledSystem make_oscillator(const Node &node, WorkLedger &ledger, InstructionSet)
     {
       const OscillatorParameters parameters = read_oscillator(node);
@@ -119,7 +51,7 @@ namespace myolines
     {
       const MassChainParameters parameters = read_mass_chain(node);
       AssembledSystem           assembled  = assemble(std::make_unique<MassChain>(parameters, ledger), ledger);
-      assembled.files                      = files_among({parameters.support.get()});
+      note_drives({parameters.support.get()}, assembled);
       return assembled;
     }
 
@@ -128,17 +60,11 @@ namespace myolines
       return assemble(std::make_unique<SpringPendulum>(read_spring_pendulum(node), ledger), ledger);
     }
 
-    SizeEstimate muscle3d_size(const Node &node, const unsigned int ranks)
-    {
-      const Muscle3dSizes sizes = estimate_sizes(read_muscle3d(node), ranks);
-      return {sizes.n_unknowns, sizes.bytes, sizes.matrix_bytes, false, sizes.tangent_bytes, sizes.patch_bytes, sizes.coarse_bytes};
-    }
-
-    SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, true}; }
+    SizeEstimate oscillator_size(const Node &, unsigned int) { return {2, 0, 0, true}; }
 
     SizeEstimate mass_chain_size(const Node &node, unsigned int)
     {
-      return {1. + static_cast<double>(read_mass_chain(node).masses.size()), 0, 0, 0, true};
+      return {1. + static_cast<double>(read_mass_chain(node).masses.size()), 0, 0, true};
     }
 
     AssembledSystem make_rod1d(const Node &node, WorkLedger &ledger, InstructionSet)
@@ -275,7 +201,14 @@ namespace myolines
               {"rod 1d", rod1d_schema, rod1d_output_schema, stretched, {{"", {}}}, make_rod1d, rod1d_size, {"elements", false, "degree"}},
               {"oscillator", oscillator_schema, oscillator_output_schema, swinging, {{"", {}}}, make_oscillator, oscillator_size, {}},
               {"mass chain", mass_chain_schema, particle_output_schema, led, {{"", {}}}, make_mass_chain, mass_chain_size, {}},
-              {"spring pendulum", spring_pendulum_schema, particle_output_schema, turning, {{"", {}}}, make_spring_pendulum, oscillator_size, {}}};
+              {"spring pendulum",
+               spring_pendulum_schema,
+               particle_output_schema,
+               turning,
+               {{"", {}}},
+               make_spring_pendulum,
+               oscillator_size,
+               {}}};
     }
 
     Schema integrator_schema()
