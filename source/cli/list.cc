@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
+#include <myolines/boundary/boundary.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/fit.h>
 #include <myolines/cli/plugins.h>
 #include <myolines/cli/reference.h>
 #include <myolines/materials/laws.h>
-#include <myolines/boundary/boundary.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/solve/linear_solver.h>
 #include <myolines/study/study.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-#include <myolines/measures/fields.h>
 #include <myolines/base/names.h>
+#include <myolines/measures/fields.h>
 #include <myolines/observers/muscle3d_fields.h>
 #include <myolines/observers/places.h>
 #include <myolines/output/periodic_output.h>

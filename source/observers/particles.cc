@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/observers/outputs.h>
 #include <myolines/output/csv_file.h>
 #include <myolines/output/energy_watch.h>
-#include <myolines/observers/outputs.h>
 #include <myolines/output/periodic_output.h>
 
 namespace myolines

@@ -44,7 +44,8 @@ TEST(Commands, RefuseAnEmptyPlaceToWriteTo)
 {
   const TestFolder folder;
   folder.write("scene.xml", oscillator_scene);
-  for (const char *command : {"run scene.xml", "study scene.xml", "verify scene.xml --quantity motion.csv:u", "plot results", "report results"})
+  for (const char *command :
+       {"run scene.xml", "study scene.xml", "verify scene.xml --quantity motion.csv:u", "plot results", "report results"})
     {
       const Outcome outcome = run_program(folder, std::string(command) + " --out ''");
       EXPECT_EQ(outcome.exit_code, 2) << command;

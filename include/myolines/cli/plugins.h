@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/boundary/boundary.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/materials/laws.h>
-#include <myolines/boundary/boundary.h>
 #include <myolines/observers/muscle3d_series.h>
 #include <myolines/time/integrator.h>
 
