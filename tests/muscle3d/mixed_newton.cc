@@ -44,7 +44,7 @@ namespace myolines
         zero = 0;
         zero.update_ghost_values();
       }
-      Point point(const LocalUnknowns *z, const bool solved) const { return {0.05, Side::left, u, zero, zero, z, solved}; }
+      Point point(const LocalUnknowns *z, const bool solved) const { return {0.05, Side::left, u, zero, zero, z, nullptr, solved}; }
 
       State  before;
       Vector u, zero;
