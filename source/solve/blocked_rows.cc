@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <unordered_map>
+#include <utility>
 
 namespace myolines
 {
@@ -24,20 +26,34 @@ namespace myolines
       double *values = nullptr;
     };
 
-    bool come_in_threes(const Rows &rows)
+    /// Puts the entries of a row into the order of their global columns, in which those of a node stand together. Among columns of other
+    /// ranks Epetra has an order of its own. False if they do not come in threes.
+    bool sort_by_node(const Epetra_CrsMatrix &matrix, const Rows &rows, const int row, std::vector<std::pair<long long, int>> &entries)
     {
+      entries.clear();
+      for (int k = rows.start[row]; k < rows.start[row + 1]; ++k)
+        entries.emplace_back(matrix.ColMap().GID64(rows.columns[k]), k - rows.start[row]);
+      std::sort(entries.begin(), entries.end());
+      for (std::size_t k = 0; k < entries.size(); ++k)
+        if (entries[k].first % 3 != static_cast<long long>(k % 3) ||
+            entries[k].first != entries[k - k % 3].first + static_cast<long long>(k % 3))
+          return false;
+      return entries.size() % 3 == 0;
+    }
+
+    bool come_in_threes(const Epetra_CrsMatrix &matrix)
+    {
+      const Rows rows(matrix);
       if (rows.start == nullptr || rows.n % 3 != 0)
         return false;
+      std::vector<std::pair<long long, int>> entries;
       for (int row = 0; row < rows.n; row += 3)
         {
           const int *first = rows.columns + rows.start[row], n = rows.start[row + 1] - rows.start[row];
-          for (int k = 0; k < n; ++k)
-            if (first[k] != first[k - k % 3] + k % 3)
-              return false;
           for (int c = 1; c < 3; ++c)
             if (rows.start[row + c + 1] - rows.start[row + c] != n || !std::equal(first, first + n, rows.columns + rows.start[row + c]))
               return false;
-          if (n % 3 != 0)
+          if (!sort_by_node(matrix, rows, row, entries))
             return false;
         }
       return true;
@@ -55,7 +71,7 @@ namespace myolines
 
   bool BlockedRows::suits(const Epetra_CrsMatrix &matrix)
   {
-    int here = come_in_threes(Rows(matrix)), everywhere = 0;
+    int here = come_in_threes(matrix), everywhere = 0;
     matrix.Comm().MinAll(&here, &everywhere, 1);
     return everywhere == 1;
   }
@@ -63,24 +79,34 @@ namespace myolines
   BlockedRows::BlockedRows(const Epetra_CrsMatrix &matrix)
     : Epetra_BasicRowMatrix(matrix.Comm())
     , matrix_(matrix)
-    , x_(matrix.NumMyCols())
   {
     SetMaps(matrix.RowMap(), matrix.ColMap(), matrix.DomainMap(), matrix.RangeMap());
-    const Rows rows(matrix);
+    const Rows                                  rows(matrix);
+    std::vector<std::pair<long long, int>>      entries;
+    std::unordered_map<long long, unsigned int> numbers; // of the nodes of columns
     row_start_.push_back(0);
     for (int row = 0; row < rows.n; row += 3)
       row_start_.push_back(row_start_.back() + (rows.start[row + 1] - rows.start[row]) / 3);
     columns_.resize(row_start_.back());
     blocks_.resize(9 * std::size_t(row_start_.back()) + 1);
-    for (int node = 0; node + 1 < static_cast<int>(row_start_.size()); ++node)
-      for (unsigned int k = row_start_[node]; k < row_start_[node + 1]; ++k)
-        {
-          const int at = 3 * (k - row_start_[node]);
-          columns_[k]  = rows.columns[rows.start[3 * node] + at];
-          for (int a = 0; a < 3; ++a)
+    for (std::size_t node = 0; node + 1 < row_start_.size(); ++node)
+      {
+        sort_by_node(matrix, rows, 3 * node, entries);
+        for (unsigned int k = row_start_[node]; k < row_start_[node + 1]; ++k)
+          {
+            const auto *three          = &entries[3 * (k - row_start_[node])];
+            const auto [number, fresh] = numbers.emplace(three->first, static_cast<unsigned int>(places_.size()));
+            columns_[k]                = number->second;
             for (int c = 0; c < 3; ++c)
-              blocks_[9 * std::size_t(k) + 3 * c + a] = static_cast<float>(rows.values[rows.start[3 * node + a] + at + c]);
-        }
+              {
+                if (fresh)
+                  places_.push_back(rows.columns[rows.start[3 * node] + three[c].second]);
+                for (int a = 0; a < 3; ++a)
+                  blocks_[9 * std::size_t(k) + 3 * c + a] = static_cast<float>(rows.values[rows.start[3 * node + a] + three[c].second]);
+              }
+          }
+      }
+    x_.resize(places_.size());
   }
 
   int BlockedRows::Multiply(const bool transposed, const Epetra_MultiVector &X, Epetra_MultiVector &Y) const
@@ -98,7 +124,7 @@ namespace myolines
             x = ghosted.Values();
           }
         for (std::size_t i = 0; i < x_.size(); ++i)
-          x_[i] = static_cast<float>(x[i]);
+          x_[i] = static_cast<float>(x[places_[i]]);
         double *y = Y[vector];
         for (std::size_t node = 0; node + 1 < row_start_.size(); ++node)
           {
@@ -134,6 +160,6 @@ namespace myolines
 
   std::size_t BlockedRows::memory() const
   {
-    return columns_.memory() + blocks_.memory() + row_start_.size() * sizeof(unsigned int) + x_.size() * sizeof(float);
+    return columns_.memory() + blocks_.memory() + row_start_.size() * sizeof(unsigned int) + x_.size() * (sizeof(float) + sizeof(int));
   }
 } // namespace myolines

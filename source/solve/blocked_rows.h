@@ -38,8 +38,9 @@ namespace myolines
   private:
     const Epetra_CrsMatrix    &matrix_;
     std::vector<unsigned int>  row_start_; ///< of threes of rows
-    LargeArray<unsigned int>   columns_;   ///< of each block: that of its first column
+    LargeArray<unsigned int>   columns_;   ///< of each block: where its first column is in x_
     LargeArray<float>          blocks_;    ///< column by column
+    std::vector<int>           places_;    ///< of the entries of x_ among the columns of the matrix, node by node
     mutable std::vector<float> x_;         ///< with what other ranks own
   };
 } // namespace myolines
