@@ -107,7 +107,7 @@ namespace myolines
         return {};
       if (fields.written("every"))
         fields.refuse("at", "is given beside \"every\"", "one of the two");
-      return one_list(read_numbers(fields, "at", "times [s]"));
+      return one_list(fields.numbers("at", "times [s]"));
     }
 
     class Fields : public PeriodicOutput
