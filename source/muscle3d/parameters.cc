@@ -3,6 +3,7 @@
 #include <myolines/body/entries.h>
 #include <myolines/muscle3d/activation.h>
 #include <myolines/muscle3d/parameters.h>
+#include <myolines/scene/node_builder.h>
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,14 @@ namespace myolines
             }
     }
 
+    /// Whether @p list says nothing but defaults, as in a scene that is written out whole.
+    bool says_nothing(const Node &list, const Schema &schema)
+    {
+      std::vector<InputProblem> problems;
+      const Node                usual = scene::NodeBuilder("", "", problems).build(nullptr, schema, list.name(), list.path());
+      return scene::resolved_xml(list, list.name()) == scene::resolved_xml(usual, list.name());
+    }
+
     /// The tissues that the body has cells of, with their directions.
     void read_tissues(const Node &system, const LineChoice &line, Muscle3dParameters &p)
     {
@@ -140,7 +149,7 @@ namespace myolines
           if (needed && !given)
             lists.refuse(kind.name, "the body has cells of " + kind.name + ", but this list is missing", "a list \"" + kind.name + "\"",
                          "an empty list takes all defaults");
-          if (!needed && given && !named)
+          if (!needed && given && !named && !(kind.id == muscle_id && says_nothing(lists.section(kind.name), tissue_schema(kind))))
             lists.refuse(kind.name, "the body has no cells of " + kind.name, "no such list for this geometry", "remove it");
           if (kind.id == muscle_id)
             p.has_muscle = needed || named;

@@ -136,6 +136,27 @@ TEST(Run, ResolvedSceneGivesTheSameNumbers)
   EXPECT_NE(contents(folder / "a/scene.resolved.xml").find("name=\"width\" type=\"double\" value=\"0.02\""), std::string::npos);
 }
 
+/// It writes out the muscle that the body does not have, with its defaults.
+TEST(Run, ResolvedSceneOfABodyWithoutMuscleIsOne)
+{
+  const TestFolder  folder;
+  std::string       scene    = muscle_scene;
+  const std::string geometry = "<ParameterList name=\"geometry\">", boundary = "<ParameterList name=\"boundary\">";
+  scene.insert(scene.find(geometry) + geometry.size(), "<Parameter name=\"tissue\" type=\"string\" value=\"rubber\"/>");
+  scene.insert(scene.find(boundary),
+               "<ParameterList name=\"tissues\"><ParameterList name=\"own\"><ParameterList name=\"rubber\"><ParameterList name=\"laws\">"
+               "<ParameterList name=\"base\"><Parameter name=\"type\" type=\"string\" value=\"yeoh\"/></ParameterList>"
+               "</ParameterList></ParameterList></ParameterList></ParameterList>");
+  folder.write("rubber.xml", scene);
+  const Outcome run = run_program(folder, "run rubber.xml --out a --quiet");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome again = run_program(folder, "run a/scene.resolved.xml --out b --quiet");
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(contents(folder / "a/reaction.csv"), contents(folder / "b/reaction.csv"));
+  const Outcome wrong = run_program(folder, "check rubber.xml --set \"system/tissues/muscle/fibre/maximum isometric stress=1e5\"");
+  EXPECT_EQ(wrong.exit_code, 2) << "a muscle of one's own is not passed over";
+}
+
 /// One Newton step cannot solve a cubic: the failure is told, with exit code 3, and the folder is closed properly.
 TEST(Run, FailedSolveKeepsItsBooks)
 {
