@@ -14,7 +14,7 @@ namespace myolines
   AssembledSystem assemble(std::unique_ptr<System> system, WorkLedger &ledger)
   {
     AssembledSystem assembled;
-    assembled.make_outputs = [&system = *system, &ledger](const Node &output, const OutputFolder &folder) {
+    assembled.make_outputs = [&system = *system, &ledger](const scene::Node &output, const OutputFolder &folder) {
       return myolines::make_outputs(output, system, folder, ledger);
     };
     assembled.system = std::move(system);

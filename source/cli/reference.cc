@@ -101,7 +101,7 @@ namespace myolines
     void systems_page(const CLI::App &, std::ostream &out)
     {
       for (const SystemEntry &entry : system_catalogue())
-        out << "## " << entry.name << "\n\n" << described(entry.schema, "system/");
+        out << "## " << entry.name << "\n\n" << described(entry.schema(), "system/");
     }
 
     void integrators_page(const CLI::App &, std::ostream &out)
@@ -135,7 +135,7 @@ namespace myolines
     {
       out << "## checkpoint\n\n" << described(checkpoint_schema(), "output/checkpoint/");
       for (const SystemEntry &entry : system_catalogue())
-        out << "## Outputs of " << entry.name << "\n\n" << described(entry.output, "output/");
+        out << "## Outputs of " << entry.name << "\n\n" << described(entry.output(), "output/");
     }
 
     void studies_page(const CLI::App &, std::ostream &out) { out << described(study::study_schema(), ""); }
