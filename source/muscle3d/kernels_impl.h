@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "kernels_state.h"
+#include "kernels_volume.h"
 
 namespace myolines
 {
   /// The kernels on one batch.
   template <InstructionSet isa, int n1>
-  class BatchWork : private BatchState<isa, n1>
+  class BatchWork : private BatchVolume<isa, n1>
   {
-    using Base = BatchState<isa, n1>;
+    using Base = BatchVolume<isa, n1>;
     using T    = Lanes<isa>;
     using Base::add_integral;
-    using Base::add_moments;
+    using Base::add_volumetric_rank;
     using Base::advance;
     using Base::Base;
     using Base::cells;
+    using Base::change_of_pressure;
     using Base::clear;
     using Base::coefficients;
     using Base::columns;
@@ -27,6 +28,7 @@ namespace myolines
     using Base::F;
     using Base::F_rate;
     using Base::fibres;
+    using Base::fill_volume;
     using Base::filled_lanes_are;
     using Base::inverse;
     using Base::JxW;
@@ -39,11 +41,10 @@ namespace myolines
     using Base::n_nodes;
     using Base::n_points;
     using Base::pressure;
-    using Base::project;
     using Base::require_positive;
+    using Base::store_volume;
     using Base::t;
     using Base::values;
-    using Base::volumetric_modes;
     using Base::volumetric_state;
     using Base::work;
 
@@ -69,11 +70,11 @@ namespace myolines
         }
     }
 
-    static void advance(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *trial_u,
+    static void advance(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *dp, const double *trial_u,
                         const double alpha, double *trial_z, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.advance(u, trial_u, alpha, reinterpret_cast<T *>(trial_z));
+      work.advance(reinterpret_cast<const T *>(dp), trial_u, alpha, reinterpret_cast<T *>(trial_z));
     }
 
     static void linearise(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v,
@@ -84,10 +85,17 @@ namespace myolines
     }
 
     static void apply(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *tangent,
-                      const double *x, double *y, double *scratch)
+                      const double *x, double *y, const KernelPressure *pressure, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.add_apply(w, reinterpret_cast<const T *>(tangent), x, y);
+      work.add_apply(w, reinterpret_cast<const T *>(tangent), x, y, pressure);
+    }
+
+    static void volume(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, double *columns,
+                       double *stiffness, double *scratch)
+    {
+      BatchWork work(t, m, c, scratch);
+      work.fill_volume(u, reinterpret_cast<T *>(columns), reinterpret_cast<T *>(stiffness));
     }
 
     static void element_matrices(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *u,
@@ -204,14 +212,14 @@ namespace myolines
           law.store(F_rate + 9 * q, JxW(q), tangent + q * size);
         }
       T *behind = tangent + n_points * size;
-      volumetric_modes(1, behind);
+      store_volume(behind);
       if (m.viscous)
         for (int i = 0; i < 9 * n_points; ++i)
-          behind[t.n_modes * t.n_modes + i] = F_rate[i];
+          behind[VolumeLayout(t.n_modes).size + i] = F_rate[i];
     }
 
-    /// The change of pressure is dp_h = phi S int phi cof F : dF, S of volumetric_modes().
-    void add_apply(const double w[3], const T *tangent, const double *x, double *y)
+    /// The change of pressure is dp_h = phi S int phi cof F : dF, unless one is given.
+    void add_apply(const double w[3], const T *tangent, const double *x, double *y, const KernelPressure *given)
     {
       const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.velocities());
       if (!stiffness && !inertia)
@@ -240,14 +248,7 @@ namespace myolines
                 for (int i = 0; i < 9; ++i)
                   flux[9 * q + i] += of_laws[9 * q + i];
             }
-          const T *S      = tangent + n_points * size;
-          const T  weight = T(m.fixed_pressure ? 0. : w[0]);
-          for (int i = 0; i < t.n_modes; ++i)
-            {
-              dp[i] = T(0.);
-              for (int j = 0; j < t.n_modes; ++j)
-                dp[i] += weight * S[i * t.n_modes + j] * moments[j];
-            }
+          change_of_pressure(w[0], tangent + n_points * size, moments, given, dp);
           for (int q = 0; q < n_points; ++q)
             {
               const T change = expand(dp, q);
@@ -264,7 +265,7 @@ namespace myolines
     void law_actions(const double w[3], const T *tangent, const int size, const T *dF, T *dP) const
     {
       clear(dP, 9 * n_points);
-      const LawPoints points = law_points(tangent + tangent_F, size, tangent + n_points * size + t.n_modes * t.n_modes);
+      const LawPoints points = law_points(tangent + tangent_F, size, tangent + n_points * size + VolumeLayout(t.n_modes).size);
       for (int i = 0; i < cells.n_laws; ++i)
         law_kernels<isa>(cells.laws[i].number)
             .action(cells.laws[i], points, law_weights(w), reinterpret_cast<const double *>(dF), reinterpret_cast<double *>(dP));
@@ -300,50 +301,6 @@ namespace myolines
                                 inertia && a == b ? values : nullptr, matrices + (3 * a + b) * n_nodes * n_nodes);
       if (w[0] != 0)
         add_volumetric_rank(w[0], matrices);
-    }
-
-    /// matrices += w B^T S B, B_m(n, b) = int phi_m cof F : Grad N_n e_b, S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1).
-    void add_volumetric_rank(const double w, T *matrices)
-    {
-      const int n_modes = t.n_modes, n = 3 * n_nodes;
-      T        *B = columns, *SB = columns + max_modes * n; // [mode][component][node]
-      clear(B, n_modes * n);
-      T *reference = work; // [3][n_points]
-      for (int b = 0; b < 3; ++b)
-        for (int i = 0; i < n_modes; ++i)
-          {
-            for (int q = 0; q < n_points; ++q)
-              {
-                const Kinematics<T> k(F + 9 * q);
-                const T             weight = mode(q, i) * JxW(q) * k.J;
-                for (int A = 0; A < 3; ++A)
-                  reference[A * n_points + q] = weight * (k.H[3 * b] * inverse(q, 3 * A) + k.H[3 * b + 1] * inverse(q, 3 * A + 1) +
-                                                          k.H[3 * b + 2] * inverse(q, 3 * A + 2));
-              }
-            integrate<n1>(t, static_cast<T *>(nullptr), reference, B + i * n + b * n_nodes);
-          }
-
-      T S[max_modes * max_modes];
-      volumetric_modes(w, S);
-      for (int i = 0; i < n_modes; ++i)
-        for (int j = 0; j < n; ++j)
-          {
-            T s(0.);
-            for (int k = 0; k < n_modes; ++k)
-              s += S[i * n_modes + k] * B[k * n + j];
-            SB[i * n + j] = s;
-          }
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          for (int i = 0; i < n_nodes; ++i)
-            for (int k = 0; k < n_modes; ++k)
-              {
-                const T  left  = B[k * n + a * n_nodes + i];
-                const T *right = SB + k * n + b * n_nodes;
-                T       *row   = matrices + ((3 * a + b) * n_nodes + i) * n_nodes;
-                for (int j = 0; j < n_nodes; ++j)
-                  row[j] += left * right[j];
-              }
     }
 
     void fill_points(const double *u, const double *v, T *out)
@@ -382,7 +339,7 @@ namespace myolines
   constexpr Kernels make_kernels()
   {
     using Work = BatchWork<isa, n1>;
-    return {&Work::residual,         &Work::local,  &Work::advance,     &Work::linearise, &Work::apply,
+    return {&Work::residual,         &Work::local,  &Work::advance,     &Work::linearise, &Work::apply, &Work::volume,
             &Work::element_matrices, &Work::points, &Work::scratch_size};
   }
 } // namespace myolines

@@ -174,7 +174,7 @@ namespace myolines
           add_moments(J, q, moments);
         }
       project(moments, projected);
-      const T *z = cells.local != nullptr ? reinterpret_cast<const T *>(cells.local) : projected;
+      const T *z = cells.local != nullptr ? local() : projected;
       for (int i = 0; i < t.n_modes; ++i)
         {
           dilatation[i] = z[i];
@@ -187,92 +187,13 @@ namespace myolines
           require_positive(D, admissible);
           add_moments(volumetric_stress(q, D) + volumetric_stiffness(q, D) * (expand(projected, q) - D), q, moments);
         }
-      if (cells.local == nullptr || cells.solved)
-        project(moments, pressure);
-      else
-        for (int i = 0; i < t.n_modes; ++i)
-          pressure[i] = z[t.n_modes + i];
+      project(moments, linearised);
+      for (int i = 0; i < t.n_modes; ++i)
+        pressure[i] = cells.local != nullptr ? z[t.n_modes + i] : linearised[i];
       return filled_lanes_are(admissible);
     }
 
-    /// w S, S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1), at the dilatation of the state.
-    void volumetric_modes(const double w, T *S) const
-    {
-      const int n_modes = t.n_modes;
-      T         moments[max_modes * max_modes], half[max_modes * max_modes];
-      clear(moments, n_modes * n_modes);
-      for (int q = 0; q < n_points; ++q)
-        {
-          const T weight = T(w) * volumetric_stiffness(q, expand(dilatation, q)) * JxW(q);
-          for (int i = 0; i < n_modes; ++i)
-            for (int j = 0; j < n_modes; ++j)
-              moments[i * n_modes + j] += weight * mode(q, i) * mode(q, j);
-        }
-      const T *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
-      multiply(mass, moments, half);
-      multiply(half, mass, S);
-    }
-
-    void multiply(const T *x, const T *y, T *xy) const
-    {
-      const int n = t.n_modes;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          {
-            T s(0.);
-            for (int k = 0; k < n; ++k)
-              s += x[i * n + k] * y[k * n + j];
-            xy[i * n + j] = s;
-          }
-    }
-
-    /// See Kernels::advance.
-    void advance(const double *u, const double *trial_u, const double alpha, T *trial_z)
-    {
-      const T *D = reinterpret_cast<const T *>(cells.local), *p = D + t.n_modes;
-      T       *D_t = trial_z, *p_t = D_t + t.n_modes;
-      T        J[max_modes], line[max_modes], J_t[max_modes], moments[max_modes], change[max_modes], admissible(1.);
-      T       *F_t = F_rate;
-      evaluate_F(u);
-      evaluate_gradient(trial_u, F_t);
-      clear(J, t.n_modes);
-      clear(line, t.n_modes);
-      clear(J_t, t.n_modes);
-      clear(moments, t.n_modes);
-      for (int q = 0; q < n_points; ++q)
-        {
-          for (int i = 0; i < 9; i += 4)
-            F_t[9 * q + i] += T(1.);
-          const Kinematics<T> k(F + 9 * q), k_t(F_t + 9 * q);
-          T                   dF[9];
-          for (int i = 0; i < 9; ++i)
-            dF[i] = k_t.F[i] - k.F[i];
-          require_positive(k_t.J, admissible);
-          add_moments(k.J, q, J);
-          add_moments(k.J * dot(k.H, dF), q, line);
-          add_moments(k_t.J, q, J_t);
-        }
-      T projected[max_modes], linear[max_modes], projected_t[max_modes];
-      project(J, projected);
-      project(line, linear);
-      project(J_t, projected_t);
-      for (int i = 0; i < t.n_modes; ++i)
-        {
-          change[i] = T(alpha) * (projected[i] - D[i]) + linear[i];
-          D_t[i]    = D[i] + change[i];
-        }
-      for (int q = 0; q < n_points; ++q)
-        {
-          const T at = expand(D, q);
-          require_positive(expand(D_t, q), admissible);
-          require_positive(expand(projected_t, q), admissible);
-          add_moments(T(alpha) * volumetric_stress(q, at) + volumetric_stiffness(q, at) * expand(change, q), q, moments);
-        }
-      project(moments, p_t);
-      for (int i = 0; i < t.n_modes; ++i)
-        p_t[i] += T(1 - alpha) * p[i];
-      D_t[0] = select(admissible > T(0.), D_t[0], T(std::numeric_limits<double>::quiet_NaN()));
-    }
+    const T *local() const { return reinterpret_cast<const T *>(cells.local); }
 
     /// Adds sum_q P : Grad N_i (flux[9 q + 3 a + J] = P_aJ JxW) and sum_q N_i values (if given) to x.
     void add_integral(T *flux, const T *value, double *x)
@@ -305,6 +226,7 @@ namespace myolines
     T                  *columns;      ///< [2][n_modes][3][n_nodes]
     T                   dilatation[max_modes];
     T                   pressure[max_modes];
-    T                   missing[max_modes]; ///< Pi(J) - D
+    T                   linearised[max_modes]; ///< Pi(Psi_vol'(D) + Psi_vol''(D) (Pi(J) - D))
+    T                   missing[max_modes];    ///< Pi(J) - D
   };
 } // namespace myolines

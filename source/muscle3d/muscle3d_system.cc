@@ -118,8 +118,8 @@ namespace myolines
     bool         valid = true;
     unsigned int b     = 0;
     for (; b < d.batches->n_owned_batches() && valid; ++b)
-      valid = d.kernels.residual(d.tables, model, with_local(cells.cells(b), point.local, b * size_of_local(), point.solved), u.begin(),
-                                 v.begin(), a.begin(), r.begin(), forces, d.scratch());
+      valid = d.kernels.residual(d.tables, model, with_local(cells.cells(b), point.local, b * size_of_local()), u.begin(), v.begin(),
+                                 a.begin(), r.begin(), forces, d.scratch());
     count_terms(model, "residual", ledger_);
 
     std::vector<double> sums{valid ? 0. : 1., forces.internal, forces.volume, forces.rounding};
@@ -165,17 +165,21 @@ namespace myolines
     return z;
   }
 
-  void Muscle3dSystem::advance(const Vector &u, const LocalUnknowns &z, const Vector &trial_u, const double alpha,
+  void Muscle3dSystem::advance(const LocalUnknowns &z, const Vector &step, const Vector &trial_u, const double alpha,
                                LocalUnknowns &trial) const
   {
     const Muscle3dDiscretisation &d = *discretisation_;
-    const CurrentGhosts           from(u), to(trial_u);
+    const CurrentGhosts           by(step), to(trial_u);
+    dealii::AlignedVector<double> dp(std::size_t(d.element.n_modes) * n_lanes);
     const CellSweep               cells = sweep();
     const KernelModel             model = kernel_model(parameters_, {});
     trial.values.resize_fast(z.values.size());
     for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
-      d.kernels.advance(d.tables, model, with_local(cells.cells(b), &z, b * size_of_local(), false), from.begin(), to.begin(), alpha,
-                        &trial.values[b * size_of_local()], d.scratch());
+      {
+        d.modes->get(by.vector(), b, dp.data());
+        d.kernels.advance(d.tables, model, with_local(cells.cells(b), &z, b * size_of_local()), dp.data(), to.begin(), alpha,
+                          &trial.values[b * size_of_local()], d.scratch());
+      }
   }
 
   std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <myolines/fem/cell_batches.h>
+#include <myolines/fem/cell_modes.h>
 #include <myolines/fem/element.h>
 #include <myolines/fem/node_space.h>
 #include <myolines/muscle3d/kernels.h>
@@ -33,7 +34,8 @@ namespace myolines
   };
 
   /// What boundary conditions do to the unknowns of a space: lines of the prescribed ones, and relations, each after those that it
-  /// needs. A tie that moves the face along n gives u.n = q, where q = u.n at the node of the face that all ranks know, which is free of it.
+  /// needs. A tie that moves the face along n gives u.n = q, where q = u.n at the node of the face that all ranks know, which is free of
+  /// it.
   /// @throws InputError, on all ranks, where conditions that meet on an edge contradict each other, and for faces that have not the shape
   /// of their condition.
   struct BoundaryConstraints
@@ -59,6 +61,7 @@ namespace myolines
     std::unique_ptr<NodeSpace>   space;
     Element                      element;
     std::unique_ptr<CellBatches> batches;
+    std::unique_ptr<CellModes>   modes; ///< vectors of local unknowns
     BoundaryConstraints          constraints;
     std::unique_ptr<Vector>      potential; ///< of fibres between faces
     InstructionSet               instruction_set;

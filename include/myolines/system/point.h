@@ -44,7 +44,6 @@ namespace myolines
     const Vector &a;
 
     const LocalUnknowns *local = nullptr; ///< z, or none: z(u), eliminated
-    bool solved = false; ///< z is what the linearised equation of z gives at u instead (the right-hand side of Newton's method)
   };
 
   /// J = w.u dR/du + w.v dR/dv + w.a dR/da; any weight may be zero.
