@@ -107,11 +107,11 @@ TEST(SkippedWork, PreconditionersAreKept)
 TEST(SkippedWork, NoResidualIsEvaluatedTwiceAtOneState)
 {
   const Counts counts = run(input + "isometric_block.xml" + small + no_series);
-  // at every trial, and at every direction for its right-hand side; the verdict takes one more where it is near
+  // at every trial, which is the right-hand side of the next direction too; the verdict takes one more where it is near
   const auto trials = counts.of("nonlinear solves") + counts.of("newton iterations") + counts.of("line search cuts");
   const auto taken  = counts.of("residual evaluations");
-  EXPECT_GE(taken, trials + counts.of("newton iterations"));
-  EXPECT_LE(taken, trials + 2 * counts.of("newton iterations") + counts.of("nonlinear solves"));
+  EXPECT_GE(taken, trials);
+  EXPECT_LE(taken, trials + counts.of("newton iterations") + counts.of("nonlinear solves"));
   EXPECT_EQ(counts.of("linearisations"), counts.of("newton iterations"));
 }
 

@@ -306,6 +306,8 @@ namespace myolines
         return results;
       };
       const std::vector<Vector> widest = results_of(widest_instruction_set());
+      constexpr double          half =
+          2e-3; // four times the rounding of patches in half precision, which are in single where no instruction converts
       for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
         if (set < widest_instruction_set())
           {
@@ -313,7 +315,7 @@ namespace myolines
             for (std::size_t i = 0; i < results.size(); ++i)
               {
                 results[i] -= widest[i];
-                EXPECT_LE(results[i].l2_norm(), (i == 3 ? 1e-4 : 1e-12) * widest[i].l2_norm()) << name(set) << ", result " << i;
+                EXPECT_LE(results[i].l2_norm(), (i == 3 ? half : 1e-12) * widest[i].l2_norm()) << name(set) << ", result " << i;
               }
           }
     }

@@ -51,7 +51,7 @@ TEST(StudyDatabase, RefusesOtherFiles)
   EXPECT_THROW(
       Database(folder.write("text.sqlite", "This is no database, but it is long enough to be taken for the head of one, or is it?")),
       InputError);
-  EXPECT_THROW(Database(folder / "no folder/study.sqlite"), InputError);
+  EXPECT_THROW(Database(folder / "no folder/study.sqlite"), SystemError);
 }
 
 namespace
