@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "kernels_state.h"
+#include "kernels_volume.h"
 
 namespace myolines
 {
   /// One batch of cells during a step (KernelModel::before): forces of two states and their derivatives.
   template <InstructionSet isa, int n1>
-  class BatchStep : public BatchState<isa, n1>
+  class BatchStep : public BatchVolume<isa, n1>
   {
   protected:
-    using Base = BatchState<isa, n1>;
+    using Base = BatchVolume<isa, n1>;
     using Base::cells;
     using Base::clear;
     using Base::coefficients;
@@ -19,6 +19,7 @@ namespace myolines
     using Base::F_before;
     using Base::F_rate;
     using Base::fibres;
+    using Base::fill_columns;
     using Base::inverse;
     using Base::JxW;
     using Base::law_points;
@@ -50,7 +51,7 @@ namespace myolines
       enter_step();
       const Part stored(*this, false), all(*this, true);
       const bool mixed = !all_is_stored();
-      const int  size  = step_tangent_size(m);
+      const int  size  = point_tangent_size(m);
       T *along = field(of_along), *along_rate = field(of_along_rate), *dP = field(of_dP), *dP_all = field(of_dP_all), *end = field(of_end);
       stresses(stored, F, F_rate, end);
       remember(stored, field(of_tangents));
@@ -95,7 +96,7 @@ namespace myolines
     /// At fixed pressure @p flux = dP JxW, in the place of dF; @p volume = dP/dp JxW; moments += int phi dJ.
     void step_actions(const double w[3], const T *tangent, const T *dF, T *flux, T *volume, T *moments) const
     {
-      for (int q = 0; q < n_points; ++q, tangent += step_tangent_size(m))
+      for (int q = 0; q < n_points; ++q, tangent += point_tangent_size(m))
         {
           T dP[9], change(0.);
           for (int i = 0; i < 9; ++i)
@@ -118,10 +119,11 @@ namespace myolines
     /// The tangents of a step as coefficients in unit-cell directions, as PointLaw::coefficients().
     void step_coefficients(const double w[3])
     {
-      step_tangents(step_moduli());
+      T *moduli = field(of_moduli);
+      step_tangents(moduli);
       for (int q = 0; q < n_points; ++q)
         {
-          const T *tangent = step_moduli() + q * step_tangent_size(m);
+          const T *tangent = moduli + q * point_tangent_size(m);
           for (int a = 0; a < 3; ++a)
             for (int b = 0; b < 3; ++b)
               {
@@ -141,8 +143,17 @@ namespace myolines
         }
     }
 
-    /// Of the last step_coefficients(), as step_tangents() has them.
-    T *step_moduli() const { return field(of_moduli); }
+    /// A_m(n, b) = int phi_m F_m V : Grad N_n e_b, by which pressures enter forces; overwrites F_rate.
+    void fill_columns_of_step(T *A)
+    {
+      for (int q = 0; q < n_points; ++q)
+        {
+          StepPoint<T> at;
+          at.move(F_before + 9 * q, F + 9 * q, nullptr);
+          save(JxW(q) * (at.middle * at.volume), F_rate + 9 * q);
+        }
+      fill_columns(F_rate, 9, A);
+    }
 
     /// Fields of lanes.
     static constexpr int step_scratch_size() { return of_points + sizeof(StepPoint<T>) / sizeof(T); }
@@ -301,7 +312,7 @@ namespace myolines
     void begin_tangent(const int q, T *tangent) const
     {
       const StepPoint<T> &at = points()[q];
-      clear(tangent, step_tangent_size(m));
+      clear(tangent, point_tangent_size(m));
       const Mat3<T> S = (T(0.5) * JxW(q)) * (at.stress + expand(pressure, q) * at.volume);
       for (int i = 0; i < 3; ++i)
         for (int J = 0; J < 3; ++J)

@@ -17,9 +17,11 @@ namespace myolines
     using Base::advance;
     using Base::Base;
     using Base::cells;
+    using Base::change_of_pressure;
     using Base::clear;
     using Base::coefficients;
     using Base::columns;
+    using Base::combine;
     using Base::dilatation;
     using Base::evaluate_F;
     using Base::evaluate_gradient;
@@ -28,7 +30,8 @@ namespace myolines
     using Base::F;
     using Base::F_rate;
     using Base::fibres;
-    using Base::fill_columns;
+    using Base::fill_columns_of_state;
+    using Base::fill_columns_of_step;
     using Base::filled_lanes_are;
     using Base::inverse;
     using Base::JxW;
@@ -40,16 +43,18 @@ namespace myolines
     using Base::mode;
     using Base::n_nodes;
     using Base::n_points;
+    using Base::orthonormal_modes;
     using Base::pressure;
     using Base::require_positive;
     using Base::step_actions;
     using Base::step_coefficients;
-    using Base::step_moduli;
     using Base::step_stresses;
     using Base::step_tangents;
+    using Base::stiffness_of_modes;
+    using Base::store_volume;
     using Base::t;
+    using Base::to_orthonormal;
     using Base::values;
-    using Base::volumetric_modes;
     using Base::volumetric_state;
     using Base::work;
 
@@ -78,11 +83,11 @@ namespace myolines
         }
     }
 
-    static void advance(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *trial_u,
+    static void advance(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *dp, const double *trial_u,
                         const double alpha, double *trial_z, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.advance(u, trial_u, alpha, reinterpret_cast<T *>(trial_z));
+      work.advance(reinterpret_cast<const T *>(dp), trial_u, alpha, reinterpret_cast<T *>(trial_z));
     }
 
     static void linearise(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v,
@@ -93,10 +98,17 @@ namespace myolines
     }
 
     static void apply(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *tangent,
-                      const double *x, double *y, double *scratch)
+                      const double *x, double *y, const KernelPressure *pressure, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.add_apply(w, reinterpret_cast<const T *>(tangent), x, y);
+      work.add_apply(w, reinterpret_cast<const T *>(tangent), x, y, pressure);
+    }
+
+    static void volume(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, double *columns,
+                       double *stiffness, double *scratch)
+    {
+      BatchWork work(t, m, c, scratch);
+      work.fill_volume(u, reinterpret_cast<T *>(columns), reinterpret_cast<T *>(stiffness));
     }
 
     static void element_matrices(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *u,
@@ -195,28 +207,27 @@ namespace myolines
     void store_tangent(const double *u, const double *v, T *tangent)
     {
       evaluate_state(u, v);
+      const int size   = point_tangent_size(m);
+      T        *behind = tangent + n_points * size;
+      store_volume(behind);
       if (m.before != nullptr)
         {
           step_tangents(tangent);
-          volumetric_modes(1, tangent + n_points * step_tangent_size(m));
           return;
         }
-      const int size = m.rate ? tangent_size_rate : tangent_size_0;
       for (int q = 0; q < n_points; ++q)
         {
           const Kinematics<T> k(F + 9 * q);
           const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
           law.store(F_rate + 9 * q, JxW(q), tangent + q * size);
         }
-      T *behind = tangent + n_points * size;
-      volumetric_modes(1, behind);
       if (m.viscous)
         for (int i = 0; i < 9 * n_points; ++i)
-          behind[t.n_modes * t.n_modes + i] = F_rate[i];
+          behind[VolumeLayout(t.n_modes).size + i] = F_rate[i];
     }
 
-    /// The change of pressure is dp_h = phi S int phi cof F : dF, S of volumetric_modes().
-    void add_apply(const double w[3], const T *tangent, const double *x, double *y)
+    /// The change of pressure is dp_h = phi S int phi cof F : dF, F that of the end in a step, unless one is given.
+    void add_apply(const double w[3], const T *tangent, const double *x, double *y, const KernelPressure *given)
     {
       const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.velocities());
       if (!stiffness && !inertia)
@@ -233,14 +244,7 @@ namespace myolines
             step_actions(w, tangent, dF, flux, volume, moments);
           else
             state_actions(w, tangent, dF, flux, volume, moments);
-          const T *S      = tangent + n_points * tangent_fields();
-          const T  weight = T(m.fixed_pressure ? 0. : w[0]);
-          for (int i = 0; i < t.n_modes; ++i)
-            {
-              dp[i] = T(0.);
-              for (int j = 0; j < t.n_modes; ++j)
-                dp[i] += weight * S[i * t.n_modes + j] * moments[j];
-            }
+          change_of_pressure(w[0], tangent + n_points * point_tangent_size(m), moments, given, dp);
           for (int q = 0; q < n_points; ++q)
             {
               const T change = expand(dp, q);
@@ -253,13 +257,10 @@ namespace myolines
       add_integral(stiffness ? flux : nullptr, inertia ? values : nullptr, y);
     }
 
-    /// Of a point.
-    int tangent_fields() const { return m.before != nullptr ? step_tangent_size(m) : m.rate ? tangent_size_rate : tangent_size_0; }
-
     /// At fixed pressure @p flux = dP JxW, in the place of dF; @p volume = dP/dp JxW = cof F JxW; moments += int phi dJ.
     void state_actions(const double w[3], const T *tangent, const T *dF, T *flux, T *volume, T *moments)
     {
-      const int size    = tangent_fields();
+      const int size    = point_tangent_size(m);
       T        *of_laws = coefficients;
       if (cells.n_laws > 0)
         law_actions(w, tangent, size, dF, of_laws);
@@ -282,7 +283,7 @@ namespace myolines
     void law_actions(const double w[3], const T *tangent, const int size, const T *dF, T *dP) const
     {
       clear(dP, 9 * n_points);
-      const LawPoints points = law_points(tangent + tangent_F, size, tangent + n_points * size + t.n_modes * t.n_modes);
+      const LawPoints points = law_points(tangent + tangent_F, size, tangent + n_points * size + VolumeLayout(t.n_modes).size);
       for (int i = 0; i < cells.n_laws; ++i)
         law_kernels<isa>(cells.laws[i])
             .action(cells.laws[i], points, law_weights(w), reinterpret_cast<const double *>(dF), reinterpret_cast<double *>(dP));
@@ -312,6 +313,34 @@ namespace myolines
         add_volumetric_rank(w[0], matrices);
     }
 
+    /// matrices += w A^T S B; A and B are the same but in a step.
+    void add_volumetric_rank(const double w, T *matrices)
+    {
+      constexpr int n = max_modes * 3 * n_nodes;
+      T            *B = columns, *A = m.before != nullptr ? B + n : B;
+      fill_columns_of_state(B);
+      if (m.before != nullptr)
+        fill_columns_of_step(A);
+      add_rank(w, A, B, columns + 2 * n, matrices);
+    }
+
+    void fill_volume(const double *u, T *orthonormal, T *stiffness)
+    {
+      evaluate_F(u);
+      volumetric_state();
+      const int n = 3 * n_nodes;
+      T         R[max_modes * max_modes], E[max_modes * max_modes];
+      orthonormal_modes(R);
+      stiffness_of_modes(m.softened, E);
+      to_orthonormal(R, E, stiffness);
+      fill_columns_of_state(columns);
+      combine(R, columns, orthonormal, n);
+      if (m.before == nullptr)
+        return;
+      fill_columns_of_step(columns);
+      combine(R, columns, orthonormal + t.n_modes * n, n);
+    }
+
     void state_coefficients(const double w[3])
     {
       for (int q = 0; q < n_points; ++q)
@@ -326,37 +355,6 @@ namespace myolines
       for (int i = 0; i < cells.n_laws; ++i)
         law_kernels<isa>(cells.laws[i])
             .coefficients(cells.laws[i], law_points(F, 9, F_rate), law_weights(w), reinterpret_cast<double *>(coefficients));
-    }
-
-    /// matrices += w A^T S B with A_m(n, b) = int phi_m dP/dp : Grad N_n e_b, B_m(n, b) = int phi_m dJ/dF : Grad N_n e_b, both of cof F but
-    /// in a step, and S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1).
-    void add_volumetric_rank(const double w, T *matrices)
-    {
-      const int n_modes = t.n_modes, n = 3 * n_nodes;
-      T        *A = columns, *B = columns + max_modes * n; // [mode][component][node]
-      if (m.before != nullptr)
-        {
-          fill_columns(step_moduli() + step_volume, step_tangent_size(m), A);
-          fill_columns(step_moduli() + step_cofactor, step_tangent_size(m), B);
-        }
-      else
-        {
-          T *cofactor = F_rate;
-          for (int q = 0; q < n_points; ++q)
-            {
-              const Kinematics<T> k(F + 9 * q);
-              const T             weight = JxW(q) * k.J;
-              for (int i = 0; i < 9; ++i)
-                cofactor[9 * q + i] = weight * k.H[i];
-            }
-          fill_columns(cofactor, 9, A);
-          for (int i = 0; i < n_modes * n; ++i)
-            B[i] = A[i];
-        }
-
-      T S[max_modes * max_modes];
-      volumetric_modes(w, S);
-      add_rank(A, S, B, matrices);
     }
 
     void fill_points(const double *u, const double *v, T *out)
@@ -392,7 +390,7 @@ namespace myolines
   constexpr Kernels make_kernels()
   {
     using Work = BatchWork<isa, n1>;
-    return {&Work::residual,         &Work::local,  &Work::advance,     &Work::linearise, &Work::apply,
+    return {&Work::residual,         &Work::local,  &Work::advance,     &Work::linearise, &Work::apply, &Work::volume,
             &Work::element_matrices, &Work::points, &Work::scratch_size};
   }
 } // namespace myolines

@@ -19,8 +19,8 @@ namespace myolines
 
     static std::size_t scratch_size(const int n, const int /*n_modes*/)
     {
-      // Four gradients, the coefficients of the tangent, values of three components, and the volumetric columns.
-      return std::size_t(n_lanes) * (n * n * n * (9 + 9 + 9 + 81 + 3 + 9) + 2 * max_modes * 3 * n_nodes);
+      // Four gradients, the coefficients of the tangent, values of three components, and three sets of volumetric columns.
+      return std::size_t(n_lanes) * (n * n * n * (9 + 9 + 9 + 81 + 3 + 9) + 3 * max_modes * 3 * n_nodes);
     }
 
     BatchState(const KernelTables &tables, const KernelModel &model, const KernelCells &cells, double *scratch)
@@ -36,7 +36,7 @@ namespace myolines
       , values(coefficients + 81 * n_points)
       , F_before(values + 3 * n_points)
       , columns(F_before + 9 * n_points)
-      , of_step(columns + 2 * max_modes * 3 * n_nodes)
+      , of_step(columns + 3 * max_modes * 3 * n_nodes)
     {}
 
     const T &inverse(const int q, const int k) const
@@ -158,6 +158,8 @@ namespace myolines
         moments[i] += mode(q, i) * weighted;
     }
 
+    const T *local() const { return reinterpret_cast<const T *>(cells.local); }
+
     static void require_positive(const T &x, T &admissible) { admissible = select(x > T(0.), admissible, T(-1.)); }
 
     bool filled_lanes_are(const T &admissible) const
@@ -198,7 +200,7 @@ namespace myolines
           add_moments(J, q, moments);
         }
       project(moments, projected);
-      const T *z = cells.local != nullptr ? reinterpret_cast<const T *>(cells.local) : projected;
+      const T *z = cells.local != nullptr ? local() : projected;
       for (int i = 0; i < t.n_modes; ++i)
         {
           dilatation[i] = z[i];
@@ -211,138 +213,10 @@ namespace myolines
           require_positive(D, admissible);
           add_moments(volumetric_stress(q, D) + volumetric_stiffness(q, D) * (expand(projected, q) - D), q, moments);
         }
-      if (cells.local == nullptr || cells.solved)
-        project(moments, pressure);
-      else
-        for (int i = 0; i < t.n_modes; ++i)
-          pressure[i] = z[t.n_modes + i];
+      project(moments, linearised);
+      for (int i = 0; i < t.n_modes; ++i)
+        pressure[i] = cells.local != nullptr ? z[t.n_modes + i] : linearised[i];
       return filled_lanes_are(admissible);
-    }
-
-    /// w S, S = M_p^(-1) [int Psi'' phi phi^T] M_p^(-1), at the dilatation of the state.
-    void volumetric_modes(const double w, T *S) const
-    {
-      const int n_modes = t.n_modes;
-      T         moments[max_modes * max_modes], half[max_modes * max_modes];
-      clear(moments, n_modes * n_modes);
-      for (int q = 0; q < n_points; ++q)
-        {
-          const T weight = T(w) * volumetric_stiffness(q, expand(dilatation, q)) * JxW(q);
-          for (int i = 0; i < n_modes; ++i)
-            for (int j = 0; j < n_modes; ++j)
-              moments[i * n_modes + j] += weight * mode(q, i) * mode(q, j);
-        }
-      const T *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
-      multiply(mass, moments, half);
-      multiply(half, mass, S);
-    }
-
-    void multiply(const T *x, const T *y, T *xy) const
-    {
-      const int n = t.n_modes;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          {
-            T s(0.);
-            for (int k = 0; k < n; ++k)
-              s += x[i * n + k] * y[k * n + j];
-            xy[i * n + j] = s;
-          }
-    }
-
-    /// columns_m(n, b) = int phi_m field_b : Grad N_n with field_bJ JxW at [q * stride + 3 b + J].
-    void fill_columns(const T *field, const int stride, T *columns)
-    {
-      const int n = 3 * n_nodes;
-      clear(columns, t.n_modes * n);
-      T *reference = work; // [3][n_points]
-      for (int b = 0; b < 3; ++b)
-        for (int i = 0; i < t.n_modes; ++i)
-          {
-            for (int q = 0; q < n_points; ++q)
-              {
-                const T *at = field + q * stride + 3 * b;
-                for (int A = 0; A < 3; ++A)
-                  reference[A * n_points + q] =
-                      mode(q, i) * (at[0] * inverse(q, 3 * A) + at[1] * inverse(q, 3 * A + 1) + at[2] * inverse(q, 3 * A + 2));
-              }
-            integrate<n1>(t, static_cast<T *>(nullptr), reference, columns + i * n + b * n_nodes);
-          }
-    }
-
-    /// matrices += A^T S B of columns; B becomes S B.
-    void add_rank(const T *A, const T *S, T *B, T *matrices) const
-    {
-      const int n_modes = t.n_modes, n = 3 * n_nodes;
-      T         column[max_modes];
-      for (int j = 0; j < n; ++j) // B <- S B
-        {
-          for (int i = 0; i < n_modes; ++i)
-            column[i] = B[i * n + j];
-          for (int i = 0; i < n_modes; ++i)
-            {
-              B[i * n + j] = T(0.);
-              for (int k = 0; k < n_modes; ++k)
-                B[i * n + j] += S[i * n_modes + k] * column[k];
-            }
-        }
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          for (int i = 0; i < n_nodes; ++i)
-            for (int k = 0; k < n_modes; ++k)
-              {
-                const T  left  = A[k * n + a * n_nodes + i];
-                const T *right = B + k * n + b * n_nodes;
-                T       *row   = matrices + ((3 * a + b) * n_nodes + i) * n_nodes;
-                for (int j = 0; j < n_nodes; ++j)
-                  row[j] += left * right[j];
-              }
-    }
-
-    /// See Kernels::advance.
-    void advance(const double *u, const double *trial_u, const double alpha, T *trial_z)
-    {
-      const T *D = reinterpret_cast<const T *>(cells.local), *p = D + t.n_modes;
-      T       *D_t = trial_z, *p_t = D_t + t.n_modes;
-      T        J[max_modes], line[max_modes], J_t[max_modes], moments[max_modes], change[max_modes], admissible(1.);
-      T       *F_t = F_rate;
-      evaluate_F(u);
-      evaluate_F(trial_u, F_t);
-      clear(J, t.n_modes);
-      clear(line, t.n_modes);
-      clear(J_t, t.n_modes);
-      clear(moments, t.n_modes);
-      for (int q = 0; q < n_points; ++q)
-        {
-          const Kinematics<T> k(F + 9 * q), k_t(F_t + 9 * q);
-          T                   dF[9];
-          for (int i = 0; i < 9; ++i)
-            dF[i] = k_t.F[i] - k.F[i];
-          require_positive(k_t.J, admissible);
-          add_moments(k.J, q, J);
-          add_moments(k.J * dot(k.H, dF), q, line);
-          add_moments(k_t.J, q, J_t);
-        }
-      T projected[max_modes], linear[max_modes], projected_t[max_modes];
-      project(J, projected);
-      project(line, linear);
-      project(J_t, projected_t);
-      for (int i = 0; i < t.n_modes; ++i)
-        {
-          change[i] = T(alpha) * (projected[i] - D[i]) + linear[i];
-          D_t[i]    = D[i] + change[i];
-        }
-      for (int q = 0; q < n_points; ++q)
-        {
-          const T at = expand(D, q);
-          require_positive(expand(D_t, q), admissible);
-          require_positive(expand(projected_t, q), admissible);
-          add_moments(T(alpha) * volumetric_stress(q, at) + volumetric_stiffness(q, at) * expand(change, q), q, moments);
-        }
-      project(moments, p_t);
-      for (int i = 0; i < t.n_modes; ++i)
-        p_t[i] += T(1 - alpha) * p[i];
-      D_t[0] = select(admissible > T(0.), D_t[0], T(std::numeric_limits<double>::quiet_NaN()));
     }
 
     /// @p stress, @p gap and @p bulk: integrals of the squares; @p h: the size of the cells.
@@ -388,11 +262,12 @@ namespace myolines
     T                  *coefficients; ///< [9][9][n_points] of the tangent, else free
     T                  *values;       ///< [3][n_points]
     T                  *F_before;     ///< [n_points][9], of a step
-    T                  *columns;      ///< [2][n_modes][3][n_nodes]
+    T                  *columns;      ///< [3][max_modes][3][n_nodes]
     T                  *of_step;      ///< see BatchStep
     T                   dilatation[max_modes];
     T                   pressure[max_modes];
-    T                   missing[max_modes]; ///< Pi(J) - D
-    T                   earlier[max_modes]; ///< D at the beginning of a step
+    T                   linearised[max_modes]; ///< Pi(Psi_vol'(D) + Psi_vol''(D) (Pi(J) - D))
+    T                   missing[max_modes];    ///< Pi(J) - D
+    T                   earlier[max_modes];    ///< D at the beginning of a step
   };
 } // namespace myolines

@@ -36,9 +36,11 @@ namespace myolines
 
   void Muscle3dDiscretisation::set_up(const Muscle3dParameters &parameters)
   {
+    modes.reset();
     batches.reset();
     space       = std::make_unique<NodeSpace>(mesh, parameters.degree, faces_that_move_as_one(parameters));
     batches     = std::make_unique<CellBatches>(*space, element);
+    modes       = std::make_unique<CellModes>(*space, *batches, element.n_modes);
     constraints = BoundaryConstraints(parameters.boundary, *space);
     if (const auto &between = parameters.fields.laplace)
       potential = std::make_unique<Vector>(laplace_potential(*space, between->from, between->to));
@@ -84,15 +86,16 @@ namespace myolines
   KernelModel kernel_model(const Muscle3dParameters &parameters, const Activation &activation)
   {
     KernelModel model;
-    model.activation     = activation;
-    model.active         = parameters.active() && !activation.zero();
-    model.rate           = model.active && parameters.force_velocity();
-    model.inertia        = parameters.dynamic;
-    model.exact_tangent  = parameters.exact_tangent;
-    model.viscous        = parameters.viscous();
-    model.fixed_pressure = false;
-    model.curves         = parameters.fibre_curves();
-    model.before         = nullptr;
+    model.activation    = activation;
+    model.active        = parameters.active() && !activation.zero();
+    model.rate          = model.active && parameters.force_velocity();
+    model.inertia       = parameters.dynamic;
+    model.exact_tangent = parameters.exact_tangent;
+    model.viscous       = parameters.viscous();
+    model.softened      = false;
+    model.volume_limit  = 100; // measured, see doc/decisions/kept-pressures.md
+    model.curves        = parameters.fibre_curves();
+    model.before        = nullptr;
     return model;
   }
 } // namespace myolines

@@ -17,11 +17,10 @@ namespace myolines
       ledger.count(std::string("mass in ") + sweep);
   }
 
-  KernelCells with_local(KernelCells cells, const LocalUnknowns *local, const std::size_t at, const bool solved)
+  KernelCells with_local(KernelCells cells, const LocalUnknowns *local, const std::size_t at)
   {
     if (local != nullptr)
       cells.local = &local->values[at];
-    cells.solved = solved;
     return cells;
   }
 
@@ -121,7 +120,7 @@ namespace myolines
   /// Other quadratures of the same cells share the modes, hence the local unknowns.
   KernelCells Muscle3dLinearisation::cells(const CellSweep &sweep, const unsigned int b) const
   {
-    return with_local(sweep.cells(b), local_.any() ? &local_ : nullptr, std::size_t(2) * b * sweep.element.n_modes * n_lanes, false);
+    return with_local(sweep.cells(b), local_.any() ? &local_ : nullptr, std::size_t(2) * b * sweep.element.n_modes * n_lanes);
   }
 
   void Muscle3dLinearisation::store(const CellSweep &sweep, Tangents &tangents) const
@@ -143,7 +142,7 @@ namespace myolines
     y.zero_out_ghost_values();
     y = 0;
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
-      discretisation_.kernels.apply(sweep.tables, model, sweep.cells(b), k, tangents.data() + b * size, x.begin(), y.begin(),
+      discretisation_.kernels.apply(sweep.tables, model, sweep.cells(b), k, tangents.data() + b * size, x.begin(), y.begin(), nullptr,
                                     discretisation_.scratch());
     if (w.u != 0 || w.v != 0)
       add_faces(w, x, y);
@@ -161,16 +160,6 @@ namespace myolines
     ledger_.count("tangent actions");
   }
 
-  void Muscle3dLinearisation::apply_at_fixed_local(const WeightsByOrder &weights, const Vector &x, Vector &y) const
-  {
-    const CurrentGhosts current(x);
-    KernelModel         model = model_;
-    model.fixed_pressure      = true;
-    store_tangents();
-    apply(discretisation_.sweep(materials_), tangents_, model, weights[2], current.vector(), y);
-    ledger_.count("tangent actions");
-  }
-
   void Muscle3dLinearisation::store_tangents() const
   {
     if (!stored_)
@@ -179,25 +168,33 @@ namespace myolines
   }
 
   template <typename Consumer>
-  void Muscle3dLinearisation::for_each_matrix(const CellSweep &sweep, const Weights &w, const Consumer &consume) const
+  void Muscle3dLinearisation::for_each_matrix(const CellSweep &sweep, const KernelModel &model, const Weights &w,
+                                              const Consumer &consume) const
   {
     const double                  k[3] = {w.u, w.v, w.a};
     dealii::AlignedVector<double> element_matrices(std::size_t(9) * sweep.element.n_nodes * sweep.element.n_nodes * n_lanes);
     for (unsigned int b = 0; b < sweep.batches.n_batches(); ++b)
       {
-        discretisation_.kernels.element_matrices(sweep.tables, model_, cells(sweep, b), k, u_.begin(), v_.begin(), element_matrices.data(),
+        discretisation_.kernels.element_matrices(sweep.tables, model, cells(sweep, b), k, u_.begin(), v_.begin(), element_matrices.data(),
                                                  discretisation_.scratch());
         if (!faces_.empty() && (w.u != 0 || w.v != 0))
           add_faces(sweep.batches, b, w, element_matrices.data());
         consume(b, element_matrices.data());
       }
-    count_terms(model_, "assembly", ledger_);
+    count_terms(model, "assembly", ledger_);
   }
 
-  const SparseMatrix &Muscle3dLinearisation::sparse(const WeightsByOrder &weights)
+  KernelModel Muscle3dLinearisation::model(const bool softened) const
+  {
+    KernelModel model = model_;
+    model.softened    = softened;
+    return model;
+  }
+
+  const SparseMatrix &Muscle3dLinearisation::assemble(const WeightsByOrder &weights, const bool softened)
   {
     const Weights &w = weights[2];
-    if (current_ && assembled_.u == w.u && assembled_.v == w.v && assembled_.a == w.a)
+    if (current_ && softened_ == softened && assembled_.u == w.u && assembled_.v == w.v && assembled_.a == w.a)
       return matrix_->matrix();
 
     ledger_.count("matrix assemblies");
@@ -205,9 +202,10 @@ namespace myolines
     if (!matrix_)
       matrix_ = std::make_unique<BlockMatrix>(*d.space, *d.batches, d.element.n_nodes, d.constraints.lines);
     matrix_->clear();
-    for_each_matrix(d.sweep(materials_), w, [&](const unsigned int b, double *matrices) { matrix_->add(b, matrices); });
+    for_each_matrix(d.sweep(materials_), model(softened), w, [&](const unsigned int b, double *matrices) { matrix_->add(b, matrices); });
     matrix_->finish();
     assembled_ = w;
+    softened_  = softened;
     current_   = true;
     return matrix_->matrix();
   }
@@ -248,23 +246,26 @@ namespace myolines
                                                      {}});
   }
 
-  TwoLevel *Muscle3dLinearisation::two_level(const WeightsByOrder &weights)
+  TwoLevel *Muscle3dLinearisation::two_level(const WeightsByOrder &weights, const bool softened)
   {
     if (!two_level_)
       make_two_level();
     ledger_.count("patch assemblies");
     const Weights w = weights[2];
     stars_->clear();
-    for_each_matrix(lean_sweep(), w, [&](const unsigned int b, double *matrices) { stars_->add(b, matrices); });
+    for_each_matrix(lean_sweep(), model(softened), w, [&](const unsigned int b, double *matrices) { stars_->add(b, matrices); });
     stars_->finish();
     if (lean_)
-      {
-        store(lean_sweep(), lean_->tangents);
-        two_level_->action = [this, w, model = model_](const Vector &x, Vector &y) {
-          apply(lean_sweep(), lean_->tangents, model, w, x, y);
-          ledger_.count("lean tangent actions");
-        };
-      }
+      store(lean_sweep(), lean_->tangents);
+    if (lean_ || softened)
+      two_level_->action = [this, w, model = model(softened)](const Vector &x, Vector &y) {
+        if (!lean_)
+          store_tangents();
+        apply(lean_sweep(), lean_ ? lean_->tangents : tangents_, model, w, x, y);
+        ledger_.count(lean_ ? "lean tangent actions" : "tangent actions");
+      };
+    else
+      two_level_->action = {};
     return two_level_.get();
   }
 } // namespace myolines

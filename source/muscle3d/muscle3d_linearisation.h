@@ -19,10 +19,10 @@ namespace myolines
   void count_terms(const KernelModel &model, const char *sweep, WorkLedger &ledger);
 
   /// @p cells with the local unknowns of their batch, which begin at @p at; null: none.
-  KernelCells with_local(KernelCells cells, const LocalUnknowns *local, std::size_t at, bool solved);
+  KernelCells with_local(KernelCells cells, const LocalUnknowns *local, std::size_t at);
 
   /// K, C and M of the muscle at a state: keeps the state, forms actions and matrices on demand.
-  class Muscle3dLinearisation : public Linearisation
+  class Muscle3dLinearisation : public Linearisation, public LocalEquations
   {
   public:
     Muscle3dLinearisation(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation,
@@ -31,12 +31,19 @@ namespace myolines
     void refill(const Point &point, const Activation &activation);
 
     void                  apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
-    void                  apply_at_fixed_local(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
     bool                  action_is_cheap() const override { return true; }
-    const SparseMatrix   &sparse(const WeightsByOrder &weights) override;
+    const SparseMatrix   &sparse(const WeightsByOrder &weights) override { return assemble(weights, false); }
+    const SparseMatrix   &softened_sparse(const WeightsByOrder &weights) override { return assemble(weights, true); }
     const MultilevelData *multilevel() const override;
     bool                  has_two_levels() const override { return discretisation_.space->degree() > 1; }
-    TwoLevel             *two_level(const WeightsByOrder &weights) override;
+    TwoLevel             *two_level(const WeightsByOrder &weights, bool softened) override;
+
+    const LocalEquations *local() const override { return this; }
+    Vector                make_local() const override { return discretisation_.modes->make_vector(); }
+    Vector                local_scale(bool eliminated) const override;
+    void apply_with_local(const WeightsByOrder &weights, const Vector &x, const Vector &z, Vector &y, Vector &y_z) const override;
+    void local_residual(Vector &g) const override;
+    std::unique_ptr<Elimination> eliminate(bool softened) const override;
 
   private:
     /// Tangents of the owned batches, for actions.
@@ -45,12 +52,18 @@ namespace myolines
     void store_tangents() const; ///< unless they are
     void apply(const CellSweep &sweep, const Tangents &tangents, const KernelModel &model, const Weights &weights, const Vector &x,
                Vector &y) const;
+    const SparseMatrix &assemble(const WeightsByOrder &weights, bool softened);
+    KernelModel         model(bool softened) const;
+
+    /// use(batch, what is stored of its volume)
+    template <typename Use>
+    void for_each_volume(const Use &use) const;
 
     KernelCells cells(const CellSweep &sweep, unsigned int batch) const; ///< with the local unknowns of this state
 
     /// consume(batch, element matrices) for owned and ghost batches.
     template <typename Consumer>
-    void for_each_matrix(const CellSweep &sweep, const Weights &weights, const Consumer &consume) const;
+    void for_each_matrix(const CellSweep &sweep, const KernelModel &model, const Weights &weights, const Consumer &consume) const;
 
     void find_faces(const Point &point);
     /// Adds the tangents of forces on the faces of batch @p b to its element matrices.
@@ -80,8 +93,9 @@ namespace myolines
     Vector                                             u_, v_, before_; ///< before_ of a step only
     LocalUnknowns                                      local_;          ///< none: those of u_
     std::unique_ptr<BlockMatrix>                       matrix_;
-    Weights                                            assembled_; ///< weights of the matrix, if current_
-    bool                                               current_ = false;
+    Weights                                            assembled_;        ///< weights of the matrix, if current_
+    bool                                               softened_ = false; ///< whether it is
+    bool                                               current_  = false;
     mutable std::unique_ptr<MultilevelData>            multilevel_;
     std::unique_ptr<LeanCells>                         lean_; ///< none if the quadrature is lean already
     std::unique_ptr<VertexStars>                       stars_;

@@ -122,8 +122,8 @@ namespace myolines
     bool         valid = true;
     unsigned int b     = 0;
     for (; b < d.batches->n_owned_batches() && valid; ++b)
-      valid = d.kernels.residual(d.tables, model, with_local(cells.cells(b), point.local, b * size_of_local(), point.solved), u.begin(),
-                                 v.begin(), a.begin(), r.begin(), forces, d.scratch());
+      valid = d.kernels.residual(d.tables, model, with_local(cells.cells(b), point.local, b * size_of_local()), u.begin(), v.begin(),
+                                 a.begin(), r.begin(), forces, d.scratch());
     count_terms(model, "residual", ledger_);
 
     std::vector<double> sums{valid ? 0. : 1., forces.internal, forces.volume, forces.rounding};
@@ -174,20 +174,24 @@ namespace myolines
     return z;
   }
 
-  void Muscle3dSystem::advance(const Point &point, const Vector &trial_u, const double alpha, LocalUnknowns &trial) const
+  void Muscle3dSystem::advance(const LocalUnknowns &z, const Vector &step, const Point &trial, const double alpha,
+                               LocalUnknowns &trial_z) const
   {
     const Muscle3dDiscretisation &d = *discretisation_;
-    const LocalUnknowns          &z = *point.local;
-    const CurrentGhosts           before(point.before != nullptr ? *point.before : point.u, point.before != nullptr);
-    const CurrentGhosts           from(point.u), to(trial_u);
+    const CurrentGhosts           before(trial.before != nullptr ? *trial.before : trial.u, trial.before != nullptr);
+    const CurrentGhosts           by(step), to(trial.u);
+    dealii::AlignedVector<double> dp(std::size_t(d.element.n_modes) * n_lanes);
     const CellSweep               cells = sweep();
     KernelModel                   model = kernel_model(parameters_, {});
-    if (point.before != nullptr)
+    if (trial.before != nullptr)
       model.before = before.begin();
-    trial.values.resize_fast(z.values.size());
+    trial_z.values.resize_fast(z.values.size());
     for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
-      d.kernels.advance(d.tables, model, with_local(cells.cells(b), &z, b * size_of_local(), false), from.begin(), to.begin(), alpha,
-                        &trial.values[b * size_of_local()], d.scratch());
+      {
+        d.modes->get(by.vector(), b, dp.data());
+        d.kernels.advance(d.tables, model, with_local(cells.cells(b), &z, b * size_of_local()), dp.data(), to.begin(), alpha,
+                          &trial_z.values[b * size_of_local()], d.scratch());
+      }
   }
 
   std::unique_ptr<Linearisation> Muscle3dSystem::make_linearisation() const

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/kernels/kernels.h>
 #include <myolines/muscle3d/point_materials.h>
 
 #include <deal.II/base/quadrature_lib.h>

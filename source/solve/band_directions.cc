@@ -35,7 +35,7 @@ namespace myolines
     return true;
   }
 
-  LinearReport BandDirections::solve(NonlinearProblem &problem, const Vector &b, Vector &dx, double, double)
+  LinearReport BandDirections::solve(NonlinearProblem &problem, const Vector &b, Vector &dx, double, double, const LocalPart *)
   {
     ledger_.count("linear solves");
     ledger_.count("linear iterations");

@@ -53,7 +53,16 @@ namespace myolines
   void LiftedFunction::add_lift(NonlinearProblem &problem, Iterate &at)
   {
     linearise(problem, at);
-    problem.linearisation().apply_at_fixed_local(problem.weights(), gap_, lift_);
+    if (at.z.any())
+      {
+        const LocalEquations &local = *problem.linearisation().local();
+        if (dz_.size() == 0)
+          dz_ = lift_z_ = right_z_ = local.make_local();
+        right_z_ = 0;
+        local.apply_with_local(problem.weights(), gap_, right_z_, lift_, lift_z_);
+      }
+    else
+      problem.linearisation().apply(problem.weights(), gap_, lift_);
     if (has_rate_gap_)
       {
         rate_lift_ = 0;
@@ -70,7 +79,7 @@ namespace myolines
   void LiftedFunction::evaluate(NonlinearProblem &problem, Iterate &at)
   {
     ++evaluations_;
-    at.evaluation = at.z.any() ? problem.residual_at(at.x, at.z, false, at.g) : problem.residual(at.x, at.g);
+    at.evaluation = at.z.any() ? problem.residual_at(at.x, at.z, at.g) : problem.residual(at.x, at.g);
     at.norm       = std::numeric_limits<double>::quiet_NaN();
     at.undefined  = false;
     if (!at.evaluation.admissible)
@@ -118,7 +127,7 @@ namespace myolines
     if (has_rate_gap_)
       problem.keep_open(to.remaining);
     if (from.z.any())
-      problem.advance(from.x, from.z, to.x, alpha, to.z);
+      problem.advance(from.z, dz_, to.x, alpha, to.z);
     evaluate(problem, to);
     if (to.remaining != 0 && to.evaluation.admissible)
       {
@@ -144,25 +153,27 @@ namespace myolines
         set_gap(problem, at.x);
         add_lift(problem, at);
       }
-    double share = 1; // |G| / |right-hand side|
+    right_ = at.g;
+    right_ *= -1;
+    const double goal = std::max(tolerance, at.norm > 0 ? std::min(0.5, absolute / at.norm) : 0.);
+    LinearReport report;
     if (at.z.any())
       {
-        problem.residual_at(at.x, at.z, true, right_);
+        if (dz_.size() == 0)
+          dz_ = lift_z_ = right_z_ = problem.linearisation().local()->make_local();
+        problem.local_residual(right_z_);
         if (open)
-          {
-            problem.linearisation().apply(problem.weights(), gap_, true_);
-            right_ += true_;
-            if (has_rate_gap_)
-              right_ += rate_lift_;
-          }
-        free_.condense(right_);
-        share = std::min(1., at.norm / norm_or_nan(right_));
+          right_z_ += lift_z_;
+        right_z_ *= -1;
+        // the verdict is that of z(x): the solve that may be the last counts the residual of z as it does
+        const bool      last = goal * at.norm <= 2 * absolute;
+        const double    size = std::max(at.norm, std::numeric_limits<double>::min());
+        const LocalPart local{right_z_, dz_, size, last};
+        report = solver.solve(problem, right_, dx, last ? absolute / size : goal, enough, &local);
+        dz_.update_ghost_values();
       }
     else
-      right_ = at.g;
-    right_ *= -1;
-    const double goal   = std::max(tolerance, at.norm > 0 ? std::min(0.5, absolute / at.norm) : 0.);
-    LinearReport report = solver.solve(problem, right_, dx, std::max(goal * share, tightest), enough * share);
+      report = solver.solve(problem, right_, dx, std::max(goal, tightest), enough, nullptr);
     free_.distribute(dx);
     if (open)
       dx += gap_;
@@ -176,7 +187,10 @@ namespace myolines
     if (at.remaining != 0)
       right_ -= gap_;
     right_.update_ghost_values();
-    problem.linearisation().apply(problem.weights(), right_, true_);
+    if (at.z.any())
+      problem.linearisation().local()->apply_with_local(problem.weights(), right_, dz_, true_, right_z_);
+    else
+      problem.linearisation().apply(problem.weights(), right_, true_);
     free_.condense(true_);
     return right_ * true_;
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "krylov_system.h"
 #include "krylov_vectors.h"
 
 #include <myolines/solve/linear_solver.h>
@@ -8,6 +9,7 @@
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,42 +19,8 @@ namespace myolines
   {
     using Problem = Belos::LinearProblem<double, Belos::MultiVec<double>, Belos::Operator<double>>;
     using Manager = Belos::SolverManager<double, Belos::MultiVec<double>, Belos::Operator<double>>;
+    using Entries = KrylovSystem::Entries;
 
-    KrylovVectors view(const Vector &x) { return {const_cast<double *>(x.begin()), x.locally_owned_size(), x.get_mpi_communicator()}; }
-  } // namespace
-
-  scene::Schema LinearSolver::linear_schema()
-  {
-    using scene::Range;
-    scene::Schema schema("Krylov solver for the linear systems of Newton's method.");
-    schema
-        .choice("type", "automatic", {"automatic", "cg", "gmres"},
-                "Method; automatic: cg if the operator is symmetric, else gmres. A cg that fails falls back to gmres.")
-        .choice("operator", "automatic", {"automatic", "matrix-free", "assembled"},
-                "How the tangent is applied; automatic: matrix-free where the system has a fast action, else by its matrix.")
-        .integer("maximum iterations", 1000, Range::closed(1, 100000), "Largest number of iterations of one solve.")
-        .integer("restart", 60, Range::closed(1, 1000), "gmres starts anew after this many iterations; it stores twice as many vectors.");
-    return schema;
-  }
-
-  scene::Schema LinearSolver::preconditioner_schema()
-  {
-    using scene::Range;
-    std::vector<std::pair<std::string, scene::Schema>> alternatives;
-    for (const PreconditionerEntry &entry : preconditioner_registry())
-      alternatives.emplace_back(entry.name, entry.schema);
-    scene::Schema schema("Preconditioner of the Krylov solver.");
-    schema.variant("type", "automatic", alternatives, "Kind of preconditioner.")
-        .choice("rebuild", "automatic", {"automatic", "every step", "when slow"},
-                "When to set it up anew: for every nonlinear solve and when keeping it has cost as much as a set-up, or only then; "
-                "automatic: for every solve if a set-up costs less than 20 iterations.")
-        .optional_number("slow iterations", "-", Range::closed(1, 100000),
-                         "Iterations that keeping it may cost, beyond those of a fresh one; not given: about what a set-up costs.");
-    return schema;
-  }
-
-  namespace
-  {
     TangentOperator::Form form(const scene::Node &linear)
     {
       const std::string name = linear.text("operator");
@@ -88,16 +56,18 @@ namespace myolines
     void forget() { preconditioner_.reset(); }
 
     LinearReport solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, const bool symmetric,
-                       const Vector &b, Vector &x, const double tolerance, const double enough);
+                       const Vector &b, Vector &x, double tolerance, double enough, const LocalPart *local);
 
   private:
     void         go_on_or_throw() const;
-    void         build(Linearisation &linearisation);
+    void         build(Linearisation &linearisation, const LocalEquations *kept);
     void         watch(unsigned int iterations, double tolerance);
-    LinearReport attempt(bool symmetric, const Vector &b, Vector &x, double tolerance, double enough);
-    void         krylov(bool cg, const Vector &b, Vector &x, double tolerance, LinearReport &report);
+    void         precondition(const KrylovSystem &system, const double *r, double *z) const;
+    LinearReport attempt(bool symmetric, const KrylovSystem &system, const Entries &b, Entries &x, const LocalPart *local, double tolerance,
+                         double enough);
+    void         krylov(bool cg, const KrylovSystem &system, const Entries &b, Entries &x, double tolerance, LinearReport &report);
     bool         promising(double before, const LinearReport &report, double tolerance, double enough) const;
-    double       true_residual(const Vector &b, const Vector &x) const;
+    double       true_residual(const KrylovSystem &system, const Entries &b, const Entries &x, const LocalPart *local) const;
 
     const std::string  type_;
     const unsigned int maximum_iterations_;
@@ -109,12 +79,15 @@ namespace myolines
     WorkLedger        &ledger_;
     const StopRequest  stop_;
 
-    TangentOperator                 tangent_;
-    std::unique_ptr<Preconditioner> preconditioner_;
-    bool                            outdated_ = true;
-    bool                            fresh_    = false;
-    double                          fastest_  = 0; ///< fewest iterations per decade of a solve since the last set-up
-    double                          excess_   = 0; ///< iterations beyond that, summed over the solves since then
+    TangentOperator                              tangent_;
+    std::unique_ptr<Preconditioner>              preconditioner_;
+    bool                                         kept_   = false; ///< it is for the system with local unknowns,
+    double                                       weight_ = 0;     ///< of u
+    std::unique_ptr<LocalEquations::Elimination> elimination_;    ///< and these belong to it
+    bool                                         outdated_ = true;
+    bool                                         fresh_    = false;
+    double                                       fastest_  = 0; ///< fewest iterations per decade of a solve since the last set-up
+    double                                       excess_   = 0; ///< iterations beyond that, summed over the solves since then
   };
 
   void LinearSolver::Implementation::go_on_or_throw() const
@@ -123,7 +96,7 @@ namespace myolines
       throw std::runtime_error("the run is asked to stop");
   }
 
-  void LinearSolver::Implementation::build(Linearisation &linearisation)
+  void LinearSolver::Implementation::build(Linearisation &linearisation, const LocalEquations *kept)
   {
     go_on_or_throw();
     const WorkLedger::Timer timer(ledger_, "preconditioner");
@@ -132,8 +105,10 @@ namespace myolines
       preconditioner_ = make_preconditioner(node_, {tangent_.layout().size(), linearisation.has_two_levels(), ledger_});
     outdated_ = true; // until the set-up has succeeded
     preconditioner_->build(tangent_);
-    outdated_ = false;
-    fresh_    = true;
+    elimination_ = kept != nullptr ? kept->eliminate(!preconditioner_->exact()) : nullptr;
+    kept_        = kept != nullptr;
+    outdated_    = false;
+    fresh_       = true;
   }
 
   /// Keeping a preconditioner pays until the iterations it has cost beyond those of its best solve are worth a set-up:
@@ -151,12 +126,25 @@ namespace myolines
     outdated_ = outdated_ || excess_ > (slow_iterations_ > 0 ? slow_iterations_ : preconditioner_->set_up_cost());
   }
 
-  double LinearSolver::Implementation::true_residual(const Vector &b, const Vector &x) const
+  /// |b - J x| / |b|; where local unknowns are kept but not asked for (@p local null), of the equation with them eliminated.
+  double LinearSolver::Implementation::true_residual(const KrylovSystem &system, const Entries &b, const Entries &x,
+                                                     const LocalPart *local) const
   {
-    Vector r(tangent_.layout());
-    tangent_.apply(x, r);
-    r.sadd(-1, b);
-    return r.l2_norm() / b.l2_norm();
+    const double size = system.norm(b);
+    if (elimination_ && local == nullptr)
+      {
+        Vector all(tangent_.layout()), r(tangent_.layout());
+        system.take(x, all, nullptr);
+        tangent_.apply(all, r);
+        for (unsigned int i = 0; i < r.locally_owned_size(); ++i)
+          r.local_element(i) -= b[i];
+        return r.l2_norm() / size;
+      }
+    Entries r(b.size());
+    system.apply(x.data(), r.data());
+    for (std::size_t i = 0; i < r.size(); ++i)
+      r[i] -= b[i];
+    return system.norm(r) / size;
   }
 
   /// Whether what is left of the iterations would do if every cycle reduced the residual like the last one, from @p before. Where the
@@ -171,26 +159,16 @@ namespace myolines
   }
 
   /// Improves @p x, with gmres by one cycle; throws what Belos throws on breakdown.
-  void LinearSolver::Implementation::krylov(const bool cg, const Vector &b, Vector &x, const double tolerance, LinearReport &report)
+  void LinearSolver::Implementation::krylov(const bool cg, const KrylovSystem &system, const Entries &b, Entries &x, const double tolerance,
+                                            LinearReport &report)
   {
-    KrylovVectors        left = view(x), right = view(b);
-    Vector               from(tangent_.layout()), to(tangent_.layout());
-    const KrylovOperator tangent([&](const double *in, double *out) {
-      std::copy_n(in, from.locally_owned_size(), from.begin());
-      tangent_.apply(from, to);
-      std::copy_n(to.begin(), to.locally_owned_size(), out);
-    });
     // Flexible gmres applies the tangent to what it keeps of the results: that these are rounded leaves its residual true. That of a basis
     // which is rounded is true to some 1e-7 of where the cycle began (Aliaga, Anzt and others, doi:10.1177/10943420221115140).
     const KrylovOperator::Rounds rounds{!cg && tolerance >= 1e-5, !cg};
-    const KrylovOperator         inverse(
-        [&](const double *in, double *out) {
-          go_on_or_throw();
-          const WorkLedger::Timer timer(ledger_, "preconditioner application");
-          ledger_.count("preconditioner applications");
-          preconditioner_->apply(in, out);
-        },
-        rounds);
+    const KrylovOperator         tangent([&](const double *in, double *out) { system.apply(in, out); });
+    const KrylovOperator         inverse([&](const double *in, double *out) { precondition(system, in, out); }, rounds);
+    KrylovVectors                left(x.data(), x.size(), system.communicator());
+    const KrylovVectors          right(const_cast<double *>(b.data()), b.size(), system.communicator());
 
     const auto problem         = Teuchos::rcp(new Problem(Teuchos::rcp<const Belos::Operator<double>>(&tangent, false),
                                                           Teuchos::rcp<Belos::MultiVec<double>>(&left, false),
@@ -234,31 +212,41 @@ namespace myolines
     report.iterations += manager->getNumIters();
   }
 
-  LinearReport LinearSolver::Implementation::attempt(const bool symmetric, const Vector &b, Vector &x, const double tolerance,
-                                                     const double enough)
+  void LinearSolver::Implementation::precondition(const KrylovSystem &system, const double *r, double *z) const
+  {
+    go_on_or_throw();
+    const WorkLedger::Timer timer(ledger_, "preconditioner application");
+    ledger_.count("preconditioner applications");
+    system.precondition(*preconditioner_, elimination_.get(), weight_, r, z);
+  }
+
+  LinearReport LinearSolver::Implementation::attempt(const bool symmetric, const KrylovSystem &system, const Entries &b, Entries &x,
+                                                     const LocalPart *local, const double tolerance, const double enough)
   {
     LinearReport report;
     // The inner tests of Belos differ from the true residual by round-off: let them stop a little later.
-    const double inner    = 0.9 * tolerance;
-    const auto   verified = [&] {
-      report.relative_residual = true_residual(b, x);
-      return report.converged  = report.relative_residual <= tolerance;
+    double     inner    = 0.9 * tolerance;
+    const auto verified = [&] {
+      report.relative_residual = true_residual(system, b, x, local);
+      if (report.relative_residual > tolerance)
+        inner *= std::min(1., std::max(0.1, 0.5 * tolerance / report.relative_residual)); // for what Belos takes for solved
+      return report.converged = report.relative_residual <= tolerance;
     };
 
-    x = 0;
+    std::fill(x.begin(), x.end(), 0);
     if (preconditioner_->exact())
       {
-        preconditioner_->apply(b.begin(), x.begin());
+        precondition(system, b.data(), x.data());
         report.iterations = 1;
         if (verified())
           return report;
         if (!(report.relative_residual < 1)) // a kept factorisation may have become useless
-          x = 0;
+          std::fill(x.begin(), x.end(), 0);
       }
 
     for (const bool cg : {true, false})
       {
-        if (cg && !(type_ == "cg" || (type_ == "automatic" && symmetric)))
+        if (cg && !(type_ == "cg" || (type_ == "automatic" && symmetric && !elimination_)))
           continue;
         // It goes on while the iterations that are left would do at the rate of the last cycle: an indefinite operator, on which a
         // cycle gains next to nothing, is soon given up.
@@ -266,7 +254,7 @@ namespace myolines
           {
             try
               {
-                krylov(cg, b, x, inner, report);
+                krylov(cg, system, b, x, inner, report);
                 report.reason = std::string(cg ? "cg" : "gmres") + " has not converged: stopped after " +
                                 std::to_string(report.iterations) + " of at most " + std::to_string(maximum_iterations_) + " iterations";
               }
@@ -285,7 +273,7 @@ namespace myolines
           }
         if (!(report.relative_residual < 1))
           {
-            x                        = 0;
+            std::fill(x.begin(), x.end(), 0);
             report.relative_residual = 1;
           }
         if (cg)
@@ -296,7 +284,7 @@ namespace myolines
 
   LinearReport LinearSolver::Implementation::solve(Linearisation &linearisation, const WeightsByOrder &weights,
                                                    const Constraints &constraints, const bool symmetric, const Vector &b, Vector &x,
-                                                   const double tolerance, const double enough)
+                                                   double tolerance, double enough, const LocalPart *local)
   {
     ledger_.count("linear solves");
     LinearReport report;
@@ -304,31 +292,55 @@ namespace myolines
     if (!tangent_.is_of(linearisation) || tangent_.layout().size() != b.size())
       forget();
     tangent_.bind(linearisation, weights, constraints, b);
+    weight_ = weights[2].u;
+    x       = 0;
+    if (local != nullptr)
+      local->x = 0;
+
+    const LocalEquations *kept = type_ == "cg" ? nullptr : tangent_.local();
+    tangent_.keep_local(kept != nullptr);
+    std::unique_ptr<LocalEquations::Elimination> exact;
+    if (local != nullptr && kept == nullptr)
+      {
+        exact = linearisation.local()->eliminate(false);
+        exact->condense(local->b, right);
+        tangent_.free_unknowns().condense(right);
+      }
     tangent_.free_unknowns().clear_constrained(right);
-    x = 0;
-    if (right.l2_norm() == 0)
+    const Vector       scale = kept != nullptr ? kept->local_scale(local == nullptr || local->strict) : Vector();
+    const KrylovSystem system(tangent_, kept != nullptr ? &scale : nullptr);
+    const Entries      all  = system.right(right, kept != nullptr && local != nullptr ? &local->b : nullptr);
+    const double       size = system.norm(all);
+    Entries            solution(all.size());
+    if (size == 0)
       {
         report.converged = true;
         return report;
+      }
+    if (local != nullptr)
+      {
+        constexpr double tightest = 1e-10; // what is beyond is rounding
+        tolerance                 = std::min(0.9, std::max(tightest, tolerance * local->size / size));
+        enough *= local->size / size;
       }
 
     unsigned int iterations = 0;
     try
       {
         fresh_ = false;
-        if (!preconditioner_ || outdated_)
-          build(linearisation);
+        if (!preconditioner_ || outdated_ || kept_ != (kept != nullptr))
+          build(linearisation, kept);
         for (;;)
           {
             const bool fresh = fresh_;
             {
               const WorkLedger::Timer timer(ledger_, "linear solve");
-              report = attempt(symmetric, right, x, tolerance, enough);
+              report = attempt(symmetric, system, all, solution, local, tolerance, enough);
             }
             iterations += report.iterations;
             if (report.converged || fresh)
               break;
-            build(linearisation);
+            build(linearisation, kept);
           }
         watch(report.iterations, tolerance);
       }
@@ -337,8 +349,15 @@ namespace myolines
         report.converged         = false;
         report.reason            = error.what();
         report.relative_residual = 1;
-        x                        = 0;
-        outdated_                = true;
+        std::fill(solution.begin(), solution.end(), 0);
+        outdated_ = true;
+      }
+    system.take(solution, x, kept != nullptr && local != nullptr ? &local->x : nullptr);
+    if (exact)
+      {
+        right = x;
+        tangent_.free_unknowns().distribute(right);
+        exact->recover(weight_, right, local->b, local->x);
       }
     report.iterations = iterations;
     ledger_.count("linear iterations", iterations);
@@ -360,8 +379,9 @@ namespace myolines
   void LinearSolver::forget() { implementation_->forget(); }
 
   LinearReport LinearSolver::solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints,
-                                   const bool symmetric, const Vector &b, Vector &x, const double tolerance, const double enough)
+                                   const bool symmetric, const Vector &b, Vector &x, const double tolerance, const double enough,
+                                   const LocalPart *local)
   {
-    return implementation_->solve(linearisation, weights, constraints, symmetric, b, x, tolerance, enough);
+    return implementation_->solve(linearisation, weights, constraints, symmetric, b, x, tolerance, enough, local);
   }
 } // namespace myolines

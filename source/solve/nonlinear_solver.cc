@@ -83,10 +83,11 @@ namespace myolines
 
     bool exact() const override { return false; }
 
-    LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, const double tolerance, const double enough) override
+    LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, const double tolerance, const double enough,
+                       const LocalPart *local) override
     {
-      return linear_.solve(problem.linearisation(), problem.weights(), problem.constraints(), problem.symmetric(), b, dx, tolerance,
-                           enough);
+      return linear_.solve(problem.linearisation(), problem.weights(), problem.constraints(), problem.symmetric(), b, dx, tolerance, enough,
+                           local);
     }
 
   private:

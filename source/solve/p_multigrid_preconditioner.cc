@@ -92,7 +92,7 @@ namespace myolines
 #endif
       }
 
-      /// y = J x, the lean one where there is one.
+      /// y = J x of the patches, the lean one where there is one.
       void act(const Vector &x, Vector &y) const
       {
         if (!levels_->action)

@@ -5,6 +5,37 @@
 
 namespace myolines
 {
+  scene::Schema LinearSolver::linear_schema()
+  {
+    using scene::Range;
+    scene::Schema schema("Krylov solver for the linear systems of Newton's method.");
+    schema
+        .choice("type", "automatic", {"automatic", "cg", "gmres"},
+                "Method; automatic: cg if the operator is symmetric and has no pressures of its own, else gmres. A cg that fails falls "
+                "back to gmres.")
+        .choice("operator", "automatic", {"automatic", "matrix-free", "assembled"},
+                "How the tangent is applied; automatic: matrix-free where the system has a fast action, else by its matrix.")
+        .integer("maximum iterations", 1000, Range::closed(1, 100000), "Largest number of iterations of one solve.")
+        .integer("restart", 60, Range::closed(1, 1000), "gmres starts anew after this many iterations; it stores twice as many vectors.");
+    return schema;
+  }
+
+  scene::Schema LinearSolver::preconditioner_schema()
+  {
+    using scene::Range;
+    std::vector<std::pair<std::string, scene::Schema>> alternatives;
+    for (const PreconditionerEntry &entry : preconditioner_registry())
+      alternatives.emplace_back(entry.name, entry.schema);
+    scene::Schema schema("Preconditioner of the Krylov solver.");
+    schema.variant("type", "automatic", alternatives, "Kind of preconditioner.")
+        .choice("rebuild", "automatic", {"automatic", "every step", "when slow"},
+                "When to set it up anew: for every nonlinear solve and when keeping it has cost as much as a set-up, or only then; "
+                "automatic: for every solve if a set-up costs less than 20 iterations.")
+        .optional_number("slow iterations", "-", Range::closed(1, 100000),
+                         "Iterations that keeping it may cost, beyond those of a fresh one; not given: about what a set-up costs.");
+    return schema;
+  }
+
   namespace
   {
     std::string rebuilding(const std::string &rebuild)

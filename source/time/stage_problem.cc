@@ -82,20 +82,26 @@ namespace myolines
     return evaluation;
   }
 
-  Evaluation StageProblem::residual_at(const Vector &d, const LocalUnknowns &z, const bool solved, Vector &f)
+  Evaluation StageProblem::residual_at(const Vector &d, const LocalUnknowns &z, Vector &f)
   {
-    Point at  = point(d);
-    at.local  = &z;
-    at.solved = solved;
+    Point at = point(d);
+    at.local = &z;
     return residual(at, f);
   }
 
-  void StageProblem::advance(const Vector &d, const LocalUnknowns &z, const Vector &trial, const double alpha, LocalUnknowns &trial_z)
+  void StageProblem::local_residual(Vector &g)
   {
-    const Point at = point(d);
-    work_.from     = at.u;
-    const Point there = point(trial); // in the place of the former
-    work_.system.advance({at.t, at.side, work_.from, there.v, there.a, &z, at.before}, there.u, alpha, trial_z);
+    work_.linearisation->local()->local_residual(g);
+    g *= stage_.scale;
+  }
+
+  /// F has stage.scale times the force of the local unknowns, LocalEquations w.u times.
+  void StageProblem::advance(const LocalUnknowns &z, const Vector &dz, const Vector &trial, const double alpha, LocalUnknowns &trial_z)
+  {
+    work_.local_step = dz;
+    work_.local_step *= weights_[2].u / stage_.scale;
+    work_.local_step.update_ghost_values();
+    work_.system.advance(z, work_.local_step, point(trial), alpha, trial_z);
   }
 
   void StageProblem::linearise_at(const Vector &d, const LocalUnknowns &z)

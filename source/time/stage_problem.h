@@ -26,7 +26,6 @@ namespace myolines
       , capabilities(system.capabilities())
       , linearisation(system.make_linearisation())
       , gap(context.make_vector())
-      , from(gap)
       , end(context.make_state())
       , average(end)
       , free(system.constraints(), gap)
@@ -53,10 +52,10 @@ namespace myolines
     const Capabilities             capabilities;
     std::unique_ptr<Linearisation> linearisation;
     bool                           linearised = false;
-    Vector                         gap;     ///< from the velocities of the first guess to those given for it
-    Vector                         from;    ///< displacements where a Newton step begins
-    State                          end;     ///< of the stage
-    State                          average; ///< where the residual is evaluated, if not there
+    Vector                         local_step; ///< a Newton step of the local unknowns
+    Vector                         gap;        ///< from the velocities of the first guess to those given for it
+    State                          end;        ///< of the stage
+    State                          average;    ///< where the residual is evaluated, if not there
     const FreeUnknowns             free;
     Weights                        weights;          ///< of the last stage
     std::vector<unsigned int>      constrained_rows; ///< local numbers
@@ -85,8 +84,9 @@ namespace myolines
 
     Evaluation    residual(const Vector &d, Vector &f) override { return residual(point(d), f); }
     LocalUnknowns start_local() const override { return start_; }
-    Evaluation    residual_at(const Vector &d, const LocalUnknowns &z, bool solved, Vector &f) override;
-    void          advance(const Vector &d, const LocalUnknowns &z, const Vector &trial, double alpha, LocalUnknowns &trial_z) override;
+    Evaluation    residual_at(const Vector &d, const LocalUnknowns &z, Vector &f) override;
+    void          local_residual(Vector &g) override;
+    void          advance(const LocalUnknowns &z, const Vector &dz, const Vector &trial, double alpha, LocalUnknowns &trial_z) override;
 
     void                  linearise(const Vector &d) override { work_.linearise(point(d), weights_[2].u == 0 && weights_[2].v == 0); }
     void                  linearise_at(const Vector &d, const LocalUnknowns &z) override;

@@ -83,7 +83,7 @@ namespace myolines
       unsigned int b = 0;
       s.measure(state, [&](const KernelCells &cells) {
         const std::size_t at = size * (b++ % s.d.batches->n_owned_batches());
-        s.d.kernels.apply(s.d.tables, s.model, cells, w, &tangent[at], s.a.begin(), s.r.begin(), s.d.scratch());
+        s.d.kernels.apply(s.d.tables, s.model, cells, w, &tangent[at], s.a.begin(), s.r.begin(), nullptr, s.d.scratch());
       });
     }
 

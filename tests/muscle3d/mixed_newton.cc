@@ -26,11 +26,14 @@ namespace myolines
     }
 
     /// The same displacement at which a system is linearised, with wrong volumes, and the local unknowns of a state before.
+    /// @p step: as the end of a step.
     struct Perturbed
     {
-      explicit Perturbed(const Muscle3dSystem &system, const double size)
+      explicit Perturbed(const Muscle3dSystem &system, const double size, const bool step = false)
         : before(system.initial_state(0))
         , u(before.u)
+        , begin(before.u)
+        , step(step)
       {
         const NodeSpace &space = *system.discretisation().space;
         for (const auto node : space.nodes().locally_owned_dofs())
@@ -38,16 +41,20 @@ namespace myolines
             const auto X = space.node_position(node);
             u(3 * node) += size * X[0];
             u(3 * node + 1) -= 0.3 * size * X[1] * (1 + 20 * X[0]);
+            begin(3 * node + 1) += 2 * size * X[0] + 0.5 * size * X[1];
+            begin(3 * node + 2) -= size * X[2] * (1 - 20 * X[0]);
           }
         u.update_ghost_values();
+        begin.update_ghost_values();
         zero = u;
         zero = 0;
         zero.update_ghost_values();
       }
-      Point point(const LocalUnknowns *z, const bool solved) const { return {0.05, Side::left, u, zero, zero, z, nullptr, solved}; }
+      Point point(const LocalUnknowns *z) const { return {0.05, Side::left, u, zero, zero, z, step ? &begin : nullptr}; }
 
       State  before;
-      Vector u, zero;
+      Vector u, zero, begin;
+      bool   step;
     };
 
     class Degrees : public ::testing::TestWithParam<unsigned int>
@@ -61,38 +68,62 @@ namespace myolines
       const Perturbed      at(system, 0.1);
       const LocalUnknowns  z = system.local(at.u);
       ASSERT_TRUE(z.any());
-      Vector plain(at.u), own(at.u), solved(at.u);
-      ASSERT_TRUE(system.residual(at.point(nullptr, false), plain).admissible);
-      ASSERT_TRUE(system.residual(at.point(&z, false), own).admissible);
-      ASSERT_TRUE(system.residual(at.point(&z, true), solved).admissible);
+      Vector plain(at.u), own(at.u);
+      ASSERT_TRUE(system.residual(at.point(nullptr), plain).admissible);
+      ASSERT_TRUE(system.residual(at.point(&z), own).admissible);
       const double size = plain.l2_norm();
       own -= plain;
-      solved -= plain;
       EXPECT_LE(own.l2_norm(), 1e-13 * size);
-      EXPECT_LE(solved.l2_norm(), 1e-13 * size);
+      const auto linearisation = system.make_linearisation();
+      system.linearise(at.point(&z), *linearisation);
+      Vector g = linearisation->local()->make_local(), scale = linearisation->local()->local_scale(false);
+      linearisation->local()->local_residual(g);
+      g.scale(scale);
+      EXPECT_LE(g.l2_norm(), 1e-13 * size);
     }
 
-    // From (u, z) along du: R(u_t, z_t) - R(u, z) is alpha times K du + R(u, z*) - R(u, z), to second order in the step.
-    TEST_P(Degrees, TheIteratesMoveAlongTheReducedSystem)
+    /// Degree, and whether forces are those of a step.
+    class Tangents : public ::testing::TestWithParam<std::tuple<unsigned int, bool>>
     {
-      WorkLedger           ledger;
-      const Muscle3dSystem system(contracting(1e7, 1, GetParam()), MPI_COMM_WORLD, ledger);
-      const Perturbed      at(system, 0.05);
-      const LocalUnknowns  z = system.local(at.before.u); // another state's
-      Vector               here(at.u), right(at.u), du(at.u), line(at.u);
-      ASSERT_TRUE(system.residual(at.point(&z, false), here).admissible);
-      ASSERT_TRUE(system.residual(at.point(&z, true), right).admissible);
+    protected:
+      unsigned int degree() const { return std::get<0>(GetParam()); }
+      bool         step() const { return std::get<1>(GetParam()); }
+    };
+
+    // From (u, z) along du, with the dz that its equation gives: R(u_t, z_t) - R(u, z) is alpha times A du + B^T dz to second order in
+    // the step, and the equation of z holds to second order where its residual has been a part alpha less.
+    TEST_P(Tangents, TheIteratesMoveAlongTheReducedSystem)
+    {
+      WorkLedger            ledger;
+      const Muscle3dSystem  system(contracting(1e7, 1, degree()), MPI_COMM_WORLD, ledger);
+      const Perturbed       at(system, 0.05, step());
+      const auto            linearisation = system.make_linearisation();
+      const LocalEquations &local         = *linearisation->local();
+      Vector                g = local.make_local(), dz = g, row = g;
+      LocalUnknowns         z = system.local(at.before.u); // another state's
+      for (unsigned int i = 0; i < 6; ++i)                 // until D belongs to p, which it does but in a step
+        {
+          LocalUnknowns next;
+          system.advance(z, dz, at.point(nullptr), 1, next);
+          z = next;
+        }
+      Vector here(at.u), du(at.u), line(at.u);
+      ASSERT_TRUE(system.residual(at.point(&z), here).admissible);
       du.zero_out_ghost_values();
       std::mt19937                           generator(3);
       std::uniform_real_distribution<double> uniform(-1, 1);
       for (auto &entry : du)
         entry = 1e-4 * uniform(generator);
-      const auto linearisation = system.make_linearisation();
-      system.linearise(at.point(&z, false), *linearisation);
-      linearisation->apply(stage_weights(1, 0, 0), du, line);
-      line += right;
-      line -= here;
-      double rest[2];
+      system.linearise(at.point(&z), *linearisation);
+      local.local_residual(g);
+      EXPECT_GT(g.l2_norm(), 0);
+      g *= -1;
+      local.eliminate(false)->recover(1, du, g, dz);
+      local.apply_with_local(stage_weights(1, 0, 0), du, dz, line, row);
+      row -= g;
+      EXPECT_LE(row.l2_norm(), 1e-12 * g.l2_norm());
+      dz.update_ghost_values();
+      double rest[2], rest_z[2];
       for (const int i : {0, 1})
         {
           const double  alpha = i == 0 ? 1e-2 : 1e-3;
@@ -100,18 +131,71 @@ namespace myolines
           LocalUnknowns z_t;
           trial.u.add(alpha, du);
           trial.u.update_ghost_values();
-          system.advance(at.point(&z, false), trial.u, alpha, z_t);
+          system.advance(z, dz, trial.point(nullptr), alpha, z_t);
           Vector there(at.u);
-          ASSERT_TRUE(system.residual(trial.point(&z_t, false), there).admissible);
+          ASSERT_TRUE(system.residual(trial.point(&z_t), there).admissible);
+          system.linearise(trial.point(&z_t), *linearisation);
+          local.local_residual(row);
+          row.add(1 - alpha, g);
+          rest_z[i] = row.l2_norm() / alpha;
           there -= here;
           there.add(-alpha, line);
           rest[i] = there.l2_norm() / (alpha * line.l2_norm());
         }
       EXPECT_LT(rest[0], 0.1);
       EXPECT_NEAR(rest[1] / rest[0], 0.1, 0.03);
+      EXPECT_NEAR(rest_z[1] / rest_z[0], 0.1, 0.03);
+    }
+
+    // Eliminated, the equations of u and p are those of u alone: J = A + B^T C^-1 B, of a body whose cells are no boxes too. In a step the
+    // columns of forces are others than B.
+    TEST_P(Tangents, EquationsOfPressuresCondenseToTheTangent)
+    {
+      WorkLedger     ledger;
+      Muscle3dSystem system(contracting(1e7, 1, degree()), MPI_COMM_WORLD, ledger);
+      system.move_mesh([](dealii::Point<3> X) {
+        X[1] += 20 * X[0] * X[0];
+        return X;
+      });
+      const Perturbed      at(system, 0.05, step());
+      const LocalUnknowns  z             = system.local(at.before.u);
+      const auto           linearisation = system.make_linearisation();
+      const WeightsByOrder weights       = stage_weights(0.3, 40, 1e3);
+      system.linearise(at.point(&z), *linearisation);
+      const LocalEquations                  &local = *linearisation->local();
+      std::mt19937                           generator(5);
+      std::uniform_real_distribution<double> uniform(-1, 1);
+      Vector                                 x(at.u), whole(at.u), kept(at.u), zero_z = local.make_local(), dz = zero_z, rows = zero_z;
+      x.zero_out_ghost_values();
+      for (auto &entry : x)
+        entry = uniform(generator);
+      linearisation->apply(weights, x, whole);
+      local.eliminate(false)->recover(weights[2].u, x, zero_z, dz);
+      local.apply_with_local(weights, x, dz, kept, rows);
+      kept -= whole;
+      EXPECT_LE(kept.l2_norm(), 1e-11 * whole.l2_norm());
+      Vector moved = zero_z;
+      local.apply_with_local(weights, x, zero_z, kept, moved);
+      EXPECT_LE(rows.l2_norm(), 1e-11 * moved.l2_norm());
+
+      // softened: the matrix of preconditioners is A + w.u B^T W B
+      const auto softened = local.eliminate(true);
+      Vector     stiff(at.u), of_volume(at.u);
+      for (const auto &line : system.constraints().get_lines())
+        x(line.index) = 0;
+      linearisation->softened_sparse(weights).vmult(stiff, x);
+      local.apply_with_local(weights, x, zero_z, kept, moved);
+      of_volume = 0;
+      softened->condense(moved, of_volume);
+      kept += of_volume;
+      for (const auto &line : system.constraints().get_lines())
+        kept(line.index) = stiff(line.index) = 0;
+      kept -= stiff;
+      EXPECT_LE(kept.l2_norm(), 1e-11 * stiff.l2_norm());
     }
 
     INSTANTIATE_TEST_SUITE_P(Of, Degrees, ::testing::Values(1u, 2u, 3u));
+    INSTANTIATE_TEST_SUITE_P(Of, Tangents, ::testing::Combine(::testing::Values(1u, 2u, 3u), ::testing::Bool()));
 
     TEST(MixedNewton, InadmissibleVolumesAreSeen)
     {
@@ -119,10 +203,10 @@ namespace myolines
       const Muscle3dSystem system(contracting(1e7), MPI_COMM_WORLD, ledger);
       const Perturbed      at(system, 0), beyond(system, -1.5);
       LocalUnknowns        z_t;
-      const LocalUnknowns  z = system.local(at.u);
-      system.advance(at.point(&z, false), beyond.u, 1, z_t);
+      Vector               still = system.make_linearisation()->local()->make_local();
+      system.advance(system.local(at.u), still, beyond.point(nullptr), 1, z_t);
       Vector r(at.u);
-      EXPECT_FALSE(system.residual(beyond.point(&z_t, false), r).admissible);
+      EXPECT_FALSE(system.residual(beyond.point(&z_t), r).admissible);
     }
 
     /// Newton iterations of isometric steps, every one down to 1e-8 N of the condensed residual.

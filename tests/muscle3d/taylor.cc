@@ -298,7 +298,7 @@ namespace myolines
         system.linearise(point(state_), *linearisation);
         linearisation->apply(weights, x, results[1]);
         linearisation->sparse(weights).vmult(results[2], x);
-        if (TwoLevel *levels = linearisation->two_level(weights))
+        if (TwoLevel *levels = linearisation->two_level(weights, false))
           {
             levels->patches.invert();
             levels->patches.apply(x, results[3]);

@@ -26,14 +26,15 @@ namespace myolines
   struct KernelModel
   {
     Activation          activation;
-    bool                active;         ///< active stress takes part
-    bool                rate;           ///< ... and depends on the strain rate
-    bool                inertia;        ///< M a takes part
-    bool                exact_tangent;  ///< else its symmetric part
-    bool                viscous;        ///< some law depends on the rate of strain
-    bool                fixed_pressure; ///< actions leave out the change of the pressure
-    curves::FibreCurves curves;         ///< of the user, where there are any; borrowed
-    const double       *before;         ///< local array of displacements, as u: forces are those of the step from there to u; or nullptr
+    bool                active;        ///< active stress takes part
+    bool                rate;          ///< ... and depends on the strain rate
+    bool                inertia;       ///< M a takes part
+    bool                exact_tangent; ///< else its symmetric part
+    bool                viscous;       ///< some law depends on the rate of strain
+    bool                softened;      ///< Psi_vol'' in actions and matrices is that of preconditioners
+    double              volume_limit;  ///< N: Psi_vol'' is 1/(1/Psi_vol'' + 1/(N (mu + |p|))), mu = 2 dPsi/dI1; as it is where mu = 0
+    curves::FibreCurves curves;        ///< of the user, where there are any; borrowed
+    const double       *before;        ///< local array of displacements, as u: forces are those of the step from there to u; or nullptr
 
     bool velocities() const { return rate || viscous; } ///< whether stresses depend on them
   };
@@ -54,8 +55,7 @@ namespace myolines
     int            n_laws;
     double         law_shear; ///< their shear modulus at rest together [Pa]
 
-    const double *local  = nullptr; ///< D and p of the state, [2][n_modes] lanes; none: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h))
-    bool          solved = false;   ///< the pressure is Pi(Psi_vol'(D) + Psi_vol''(D) (Pi(J) - D)) instead of p
+    const double *local = nullptr; ///< D and p of the state, [2][n_modes] lanes; none: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h))
   };
 
   /// Squares [N^2] of the size of internal forces, before neighbours cancel, and of what rounding leaves of them. A cell of volume V
@@ -105,16 +105,50 @@ namespace myolines
     step_cofactor = 90, ///< 9: cof F_1 = dJ_1/dF_1
     step_by_rate  = 99  ///< 81: dP/dF_rate, only if stresses depend on it
   };
-  inline int step_tangent_size(const KernelModel &model) { return step_by_rate + (model.velocities() ? 81 : 0); }
 
-  /// Doubles of the tangent of one batch: the points, then the matrix of the volumetric modes, then Fdot of the points if laws need it.
-  inline std::size_t tangent_size(const int n_points, const int n_modes, const KernelModel &model)
+  /// Fields of a point in the tangent of a batch.
+  inline int point_tangent_size(const KernelModel &model)
   {
     if (model.before != nullptr)
-      return std::size_t(n_lanes) * (n_points * step_tangent_size(model) + n_modes * n_modes);
-    return std::size_t(n_lanes) *
-           (n_points * ((model.rate ? tangent_size_rate : tangent_size_0) + (model.viscous ? 9 : 0)) + n_modes * n_modes);
+      return step_by_rate + (model.velocities() ? 81 : 0);
+    return model.rate ? tangent_size_rate : tangent_size_0;
   }
+
+  /// The volume in the tangent of a batch, behind its points. S is M_p^(-1) [int Psi_vol'' phi phi^T] M_p^(-1), phi the modes and M_p their
+  /// mass; the orthonormal modes are R phi. The linearised equation of the pressure is B du - C dp + g = 0, with dp in the orthonormal
+  /// modes. In a step Psi_vol'' is the derivative of the secant of Psi_vol by the dilatation at the end.
+  struct VolumeLayout
+  {
+    explicit VolumeLayout(const int n_modes)
+      : stiffness(0)
+      , softened(n_modes * n_modes)
+      , orthonormal(2 * n_modes * n_modes)
+      , compliance(3 * n_modes * n_modes)
+      , residual(4 * n_modes * n_modes)
+      , shear(residual + n_modes)
+      , size(shear + 2)
+    {}
+    int stiffness, softened; ///< S, also softened
+    int orthonormal;         ///< R
+    int compliance;          ///< C
+    int residual;            ///< g
+    int shear;               ///< mean mu h^(1/2) and mean Psi_vol'' h^(1/2) [Pa m^(1/2)], h the size of the cell
+    int size;                ///< lanes of all
+  };
+
+  /// Doubles of the tangent of one batch: the points, then the volume, then Fdot of the points if laws of a state need it.
+  inline std::size_t tangent_size(const int n_points, const int n_modes, const KernelModel &model)
+  {
+    const int of_laws = model.before == nullptr && model.viscous ? 9 : 0;
+    return std::size_t(n_lanes) * (n_points * (point_tangent_size(model) + of_laws) + VolumeLayout(n_modes).size);
+  }
+
+  /// A change of pressure that is given to an action, and the rows of its equation.
+  struct KernelPressure
+  {
+    const double *dp;   ///< [n_modes] lanes, orthonormal modes
+    double       *rows; ///< [n_modes] lanes: B x - C dp
+  };
 
   /// The kernels for one instruction set and one degree. u, v, a, x, y, r are the local arrays of vectors (ghosts
   /// included); scratch is aligned storage of scratch_size(n_points_1d, n_modes) doubles.
@@ -128,19 +162,25 @@ namespace myolines
     /// z = D and p of u.
     void (*local)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, double *z, double *scratch);
 
-    /// From D and p of the cells at u to trial_z at trial_u, the part alpha of a Newton step further:
-    ///     D_t = D + alpha (Pi(J) - D) + Pi(cof F : (F_t - F)),   p_t = (1 - alpha) p + Pi(alpha Psi' + Psi'' (D_t - D)),
-    /// Psi_vol' and Psi_vol'' at D. NaN in D_t where det F_t, Pi(J_t) or D_t is not positive.
-    void (*advance)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *trial_u, double alpha,
+    /// From D and p of the cells to trial_z, the part alpha of a Newton step further, with the dp of that step in orthonormal modes:
+    ///     p_t = p + alpha dp,   p_t = (1 - alpha) p + Pi(alpha Psi' + Psi'' (D_t - D)),
+    /// Psi_vol' and Psi_vol'' at D, those of a step in one. NaN in D_t where det F, Pi(J), at trial_u, or D_t is not positive.
+    void (*advance)(const KernelTables &, const KernelModel &, const KernelCells &, const double *dp, const double *trial_u, double alpha,
                     double *trial_z, double *scratch);
 
     /// tangent = what the actions of K and C at (u, v) need: tangent_size() doubles.
     void (*linearise)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *tangent,
                       double *scratch);
 
-    /// y += (w_u K + w_v C + w_a M) x. @p tangent comes from linearise() with the same model; mass alone needs none.
+    /// y += (w_u K + w_v C + w_a M) x. @p tangent comes from linearise() with the same model; mass alone needs none. With a @p pressure K
+    /// is that of a fixed one, and y += w_u A^T dp; A = B but in a step.
     void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *tangent,
-                  const double *x, double *y, double *scratch);
+                  const double *x, double *y, const KernelPressure *pressure, double *scratch);
+
+    /// columns = B at u, [n_modes][3][n_nodes] lanes, and of a step the A of forces behind it; stiffness = its Psi_vol'' in matrices,
+    /// [n_modes][n_modes] lanes; orthonormal modes.
+    void (*volume)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, double *columns, double *stiffness,
+                   double *scratch);
 
     /// matrices = w_u K + w_v C + w_a M at (u, v): [9][n_nodes][n_nodes] lanes, block (a, c) at 3 a + c.
     void (*element_matrices)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <myolines/fem/cell_batches.h>
+#include <myolines/fem/cell_modes.h>
 #include <myolines/fem/element.h>
 #include <myolines/fem/node_space.h>
 #include <myolines/kernels/kernels.h>
@@ -60,6 +61,7 @@ namespace myolines
     std::unique_ptr<NodeSpace>   space;
     Element                      element;
     std::unique_ptr<CellBatches> batches;
+    std::unique_ptr<CellModes>   modes; ///< vectors of local unknowns
     BoundaryConstraints          constraints;
     std::unique_ptr<Vector>      potential; ///< of fibres between faces
     InstructionSet               instruction_set;

@@ -43,7 +43,7 @@ namespace myolines
     void               prescribed(double t, Side side, State &state) const override;
     Evaluation         residual(const Point &point, Vector &r) const override;
     LocalUnknowns      local(const Vector &u) const override; ///< D and p by batch, [2][n_modes] lanes, ghost cells too
-    void advance(const Point &point, const Vector &trial_u, double alpha, LocalUnknowns &trial) const override;
+    void advance(const LocalUnknowns &z, const Vector &step, const Point &trial, double alpha, LocalUnknowns &trial_z) const override;
     std::unique_ptr<Linearisation>      make_linearisation() const override;
     void                                linearise(const Point &point, Linearisation &linearisation) const override;
     std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;

@@ -22,7 +22,8 @@ namespace myolines
     static bool fit(NonlinearProblem &problem) { return dynamic_cast<BandLinearisation *>(&problem.linearisation()) != nullptr; }
 
     bool         exact() const override { return true; }
-    LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, double tolerance, double enough) override;
+    LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, double tolerance, double enough,
+                       const LocalPart *local) override;
 
     /// Drops the factorisation.
     void forget() { factored_.reset(); }

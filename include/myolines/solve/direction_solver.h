@@ -17,6 +17,8 @@ namespace myolines
 
     /// To |b - J dx| <= @p tolerance |b| over the free unknowns, as LinearSolver::solve() does it. A residual below @p enough |b| is
     /// good where the solver stalls. Entries of constrained unknowns of dx come back unspecified.
-    virtual LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, double tolerance, double enough) = 0;
+    /// @p local: where the problem has local unknowns, their part.
+    virtual LinearReport solve(NonlinearProblem &problem, const Vector &b, Vector &dx, double tolerance, double enough,
+                               const LocalPart *local) = 0;
   };
 } // namespace myolines

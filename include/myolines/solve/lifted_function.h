@@ -47,7 +47,7 @@ namespace myolines
   /// next. With nothing to lift G is the residual on the free unknowns.
   ///
   /// With local unknowns z, iterates beside x, F is F(x, z) and the lift is made with J at fixed z, so that neither knows how stiff the
-  /// equation of z is; the direction solves the reduced system, in which z is eliminated, and falls along G all the same.
+  /// equation of z is; the direction solves for both (LocalEquations), and the part of the lift in the equation of z is in it.
   ///
   /// A gap w between the rates at which F is evaluated and those of x (NonlinearProblem::open_rates()) is closed with it: F is that of
   /// (1 - alpha) w, and (1 - alpha) (dF/dw) w is taken from G.
@@ -96,6 +96,7 @@ namespace myolines
     Vector             lift_;      ///< C^T (J gap - (dF/dw) w) of the point lifted last, J at fixed z
     Vector             rate_lift_; ///< C^T (dF/dw) w of it
     Vector             right_, true_;
+    Vector             dz_, right_z_, lift_z_; ///< of the local unknowns: the last direction, its right-hand side, w.u B gap
     bool               has_rate_gap_  = false;
     std::uint64_t      lifted_at_     = 0;
     std::uint64_t      linearised_at_ = 0;

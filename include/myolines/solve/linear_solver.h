@@ -20,6 +20,15 @@ namespace myolines
     double       relative_residual = 0; ///< true |b - J x| / |b|
   };
 
+  /// The part of a system that belongs to the local unknowns z (LocalEquations).
+  struct LocalPart
+  {
+    const Vector &b;              ///< b_z
+    Vector       &x;              ///< z
+    double        size;           ///< tolerances are parts of this instead of |b|
+    bool          strict = false; ///< its residual counts as it would with z eliminated, LocalEquations::local_scale(true)
+  };
+
   /// True once the run is asked to stop: solves then fail at the next occasion. All ranks get the same answer, in the same order of calls.
   using StopRequest = std::function<bool()>;
 
@@ -68,8 +77,12 @@ namespace myolines
     /// in the report, and x then holds the best iterate found, which may be zero. GMRES gives up when its last cycle tells
     /// that the iterations which are left will not do, and already when it did not halve a residual below @p enough |b|:
     /// another step of Newton's method is then worth more.
+    ///
+    /// Where the system has local unknowns and its action is cheap they are kept: the Krylov method, which is GMRES then, works on x and z,
+    /// with preconditioners that need not know how stiff the equation of z is. With a @p local part the residual is that of
+    /// both equations (scaled, LocalEquations::local_scale()), without z is eliminated: b_z = 0, and the residual is that of J x = b.
     LinearReport solve(Linearisation &linearisation, const WeightsByOrder &weights, const Constraints &constraints, bool symmetric,
-                       const Vector &b, Vector &x, double tolerance, double enough = 0);
+                       const Vector &b, Vector &x, double tolerance, double enough = 0, const LocalPart *local = nullptr);
 
   private:
     class Implementation;

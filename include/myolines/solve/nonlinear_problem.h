@@ -34,15 +34,17 @@ namespace myolines
     /// F(x, z(x)), the function whose root is sought.
     virtual LocalUnknowns start_local() const { return {}; }
 
-    /// F(x, z), which Newton's method makes small on its way; @p solved: at what the linearised equation of z gives at x instead of
-    /// @p z, the right-hand side of a Newton step.
-    virtual Evaluation residual_at(const Vector &x, const LocalUnknowns & /*z*/, bool /*solved*/, Vector &f) { return residual(x, f); }
+    /// F(x, z), which Newton's method makes small on its way.
+    virtual Evaluation residual_at(const Vector &x, const LocalUnknowns & /*z*/, Vector &f) { return residual(x, f); }
 
-    /// Makes linearisation() that of x and z.
+    /// Makes linearisation() that of x and z; it has LocalEquations then.
     virtual void linearise_at(const Vector &x, const LocalUnknowns & /*z*/) { linearise(x); }
 
-    /// z moves with the part @p alpha of a Newton step from x to @p trial.
-    virtual void advance(const Vector & /*x*/, const LocalUnknowns & /*z*/, const Vector & /*trial*/, double /*alpha*/,
+    /// The residual of the equation of z at the last linearise_at(), times the factor of residuals of the system in F.
+    virtual void local_residual(Vector & /*g*/) {}
+
+    /// z moves by the part @p alpha of a Newton step, @p dz in it (as LocalEquations have it), x to @p trial.
+    virtual void advance(const LocalUnknowns & /*z*/, const Vector & /*dz*/, const Vector & /*trial*/, double /*alpha*/,
                          LocalUnknowns & /*trial_z*/)
     {}
 

@@ -37,7 +37,7 @@ namespace myolines
   class MatrixPreconditioner : public Preconditioner
   {
   public:
-    void build(const TangentOperator &tangent) final { factorise(tangent.sparse(), tangent.multilevel()); }
+    void build(const TangentOperator &tangent) final { factorise(tangent.sparse(exact()), tangent.multilevel()); }
 
     /// @p multilevel may be null. The matrix must outlive the use of what was built.
     virtual void factorise(const SparseMatrix &matrix, const MultilevelData *multilevel) = 0;

@@ -30,11 +30,17 @@ namespace myolines
     /// y = C^T J C x.
     void apply(const Vector &x, Vector &y) const;
 
-    /// Whether apply() needs no matrix.
-    bool matrix_free() const;
+    /// Local unknowns can be kept beside x: the system has some, and actions need no matrix. Their equations, or nullptr.
+    const LocalEquations *local() const;
 
-    /// The assembled matrix, with unit rows (times a typical entry) for constrained unknowns.
-    const SparseMatrix &sparse() const;
+    /// Whether preconditioners work for the system in which they are kept: matrices and levels are then softened.
+    void keep_local(const bool kept) { kept_ = kept; }
+
+    /// The left-hand sides of LocalEquations on the free unknowns.
+    void apply_with_local(const Vector &x, const Vector &z, Vector &y, Vector &y_z) const;
+
+    /// The assembled matrix, with unit rows (times a typical entry) for constrained unknowns. @p exact: never softened.
+    const SparseMatrix &sparse(bool exact) const;
 
     const MultilevelData *multilevel() const { return linearisation_->multilevel(); }
 
@@ -48,11 +54,18 @@ namespace myolines
     const Vector       &layout() const { return layout_; }
 
   private:
+    /// act(x with relations and ghosts), then C^T y
+    template <typename Action>
+    void act(const Action &action, const Vector &x, Vector &y) const;
+
+    bool matrix_free() const;
+
     const Form                    form_;
     WorkLedger                   &ledger_;
     Linearisation                *linearisation_ = nullptr;
     WeightsByOrder                weights_{};
     std::unique_ptr<FreeUnknowns> free_;
     Vector                        layout_;
+    bool                          kept_ = false;
   };
 } // namespace myolines

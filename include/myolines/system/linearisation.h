@@ -7,6 +7,7 @@
 #include <myolines/system/point.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace myolines
@@ -36,6 +37,50 @@ namespace myolines
     std::function<void(const Vector &x, Vector &y)> action;
   };
 
+  /// The linearised equations of local unknowns z (SemiDiscreteSystem::local()) that are kept as unknowns beside x, instead of
+  /// J x = b with z eliminated, J = A + w.u B^T C^(-1) B:
+  ///
+  ///     A x + w.u B^T z = b,      w.u B x - w.u C z = b_z.
+  ///
+  /// C is a matrix of its own for every cell, and small where the equation of z is stiff. Newton's method has b = -R(u, z) and
+  /// b_z = -g; the local unknowns then change by w.u z. Of a step (Point::before) the B^T of the first equation is not the transpose of the
+  /// B of the second: z enters forces by the mean of two states, and its equation holds at the end.
+  class LocalEquations
+  {
+  public:
+    virtual ~LocalEquations() = default;
+
+    /// z = 0 of all cells, with ghosts.
+    virtual Vector make_local() const = 0;
+
+    /// What a residual of 1 in the equation of an entry of z amounts to in the unit of R: as SemiDiscreteSystem::residual() measures it in
+    /// Evaluation::local, or, @p eliminated, what it leaves in the equation of x with z eliminated.
+    virtual Vector local_scale(bool eliminated) const = 0;
+
+    /// The left-hand sides at @p x and @p z, neither needs ghosts; @p y full length, no constraint applied.
+    virtual void apply_with_local(const WeightsByOrder &weights, const Vector &x, const Vector &z, Vector &y, Vector &y_z) const = 0;
+
+    /// g of the point: the residual of the equation of z. Zero where z is that of u.
+    virtual void local_residual(Vector &g) const = 0;
+
+    /// B and W, to solve with [A, w.u B^T; w.u B, -w.u W^(-1)]: (A + w.u B^T W B) x = b + B^T W b_z, z = W (B x - b_z / w.u). Keeps the
+    /// values of the moment.
+    class Elimination
+    {
+    public:
+      virtual ~Elimination() = default;
+
+      /// b += B^T W b_z, full length, no constraint applied.
+      virtual void condense(const Vector &b_z, Vector &b) const = 0;
+
+      /// z = W (B x - b_z / weight).
+      virtual void recover(double weight, const Vector &x, const Vector &b_z, Vector &z) const = 0;
+    };
+
+    /// W = C^(-1), or, @p softened, one that is mild enough for preconditioners of A + w.u B^T W B.
+    virtual std::unique_ptr<Elimination> eliminate(bool softened) const = 0;
+  };
+
   /// A system linearised at a Point: everything solvers may ask of K = dR/du, C = dR/dv, M = dR/da.
   /// Filled by SemiDiscreteSystem::linearise(); weights are given at use, so one linearisation serves any integrator.
   class Linearisation
@@ -47,8 +92,8 @@ namespace myolines
     /// unknowns are those of the free system (a lift or a reaction needs them). @p x needs no ghosts on entry.
     virtual void apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const = 0;
 
-    /// The same at fixed local unknowns: without what their change adds to K.
-    virtual void apply_at_fixed_local(const WeightsByOrder &weights, const Vector &x, Vector &y) const { apply(weights, x, y); }
+    /// Where the system has local unknowns: their equations.
+    virtual const LocalEquations *local() const { return nullptr; }
 
     /// Whether apply() costs less than filling the matrix of sparse() and a few products with it.
     virtual bool action_is_cheap() const { return false; }
@@ -57,13 +102,17 @@ namespace myolines
     /// the values stand, until the next call or the next linearise().
     virtual const SparseMatrix &sparse(const WeightsByOrder &weights) = 0;
 
+    /// The same for preconditioners of the system with local unknowns: A + w.u B^T W B, see LocalEquations::eliminate().
+    virtual const SparseMatrix &softened_sparse(const WeightsByOrder &weights) { return sparse(weights); }
+
     /// Data for multilevel preconditioners, or nullptr where the system has none. Independent of the weights.
     virtual const MultilevelData *multilevel() const { return nullptr; }
 
     /// Whether two_level() gives something.
     virtual bool has_two_levels() const { return false; }
 
-    /// Fresh patches and coarse matrix for the weights, or nullptr where the system has none. Valid until the next call.
-    virtual TwoLevel *two_level(const WeightsByOrder & /*weights*/) { return nullptr; }
+    /// Fresh patches and coarse matrix for the weights, or nullptr where the system has none. Valid until the next call. @p softened: of
+    /// the matrix of softened_sparse(); there is always an action then.
+    virtual TwoLevel *two_level(const WeightsByOrder & /*weights*/, bool /*softened*/) { return nullptr; }
   };
 } // namespace myolines

@@ -47,8 +47,6 @@ namespace myolines
     /// Displacement at the beginning of a step that ends at u, or none. Of systems with Capabilities::two_states: forces are then those of
     /// the step, which are not those of any state between (SemiDiscreteSystem::residual); t, v and a are means of the step.
     const Vector *before = nullptr;
-
-    bool solved = false; ///< z is what the linearised equation of z gives at u instead (the right-hand side of Newton's method)
   };
 
   /// J = w.u dR/du + w.v dR/dv + w.a dR/da; any weight may be zero.

@@ -69,15 +69,17 @@ namespace myolines
     virtual Evaluation residual(const Point &point, Vector &r) const = 0;
 
     /// A system may eliminate unknowns z of single cells, with R(u) = R(u, z(u)). Newton's method converges better if z are iterates
-    /// beside u: it then asks for R(u, z) (Point::local), for the right-hand side of the reduced system K du = -R(u, z*), with z* from
-    /// the linearised equation of z at (u, z) (Point::solved), and for K at (u, z). At z = z(u) all of them are the plain ones.
+    /// beside u: it then asks for R(u, z) (Point::local) and for K at (u, z) with the linearised equation of z (Linearisation::local()).
+    /// At z = z(u) R and K are the plain ones.
 
     /// z(u) at a displacement that is admissible; empty if the system eliminates nothing. No communication.
     virtual LocalUnknowns local(const Vector & /*u*/) const { return {}; }
 
-    /// The iterate z of @p point (Point::local) moves to @p trial, where u has become @p trial_u after the part @p alpha of a Newton step.
-    /// What becomes inadmissible makes the residual there inadmissible. No communication; displacements need current ghosts.
-    virtual void advance(const Point & /*point*/, const Vector & /*trial_u*/, double /*alpha*/, LocalUnknowns & /*trial*/) const {}
+    /// The iterate @p z moves by the part @p alpha of a Newton step, @p step in it (a vector of LocalEquations), to @p trial_z, where u has
+    /// become that of @p trial. What becomes inadmissible makes the residual there inadmissible. Vectors need current ghosts.
+    virtual void advance(const LocalUnknowns & /*z*/, const Vector & /*step*/, const Point & /*trial*/, double /*alpha*/,
+                         LocalUnknowns & /*trial_z*/) const
+    {}
 
     /// Storage for linearisations, once.
     virtual std::unique_ptr<Linearisation> make_linearisation() const = 0;
