@@ -2,6 +2,7 @@
 // Fibres between faces, and the acoustic tensor.
 #include "fixtures.h"
 
+#include <myolines/measures/acoustic_tensor.h>
 #include <myolines/muscle3d/point_states.h>
 
 #include <gtest/gtest.h>

@@ -73,7 +73,7 @@ namespace myolines
           EXPECT_NEAR(shape.curvature, 0, 1e-6);
           EXPECT_NEAR(shape.angle, std::atan2(a[2], a[0]) * 180 / pi, 1e-9);
         }
-      EXPECT_NEAR(system.reference_fibre_length(), 0.02, 1e-15);
+      EXPECT_NEAR(ReferenceFibre(system).length(), 0.02, 1e-15);
     }
 
     TEST(FasciclesOfABlock, FollowCircles)
@@ -95,7 +95,7 @@ namespace myolines
           EXPECT_NEAR(shapes[i].curvature * R, 1, 0.02) << "radius " << R;
           mean += shapes[i].length / static_cast<double>(fascicles.size());
         }
-      EXPECT_NEAR(system.reference_fibre_length(), mean, 1e-12);
+      EXPECT_NEAR(ReferenceFibre(system).length(), mean, 1e-12);
     }
 
     TEST(FasciclesOfABlock, ThatCloseAreLeftOut)
