@@ -314,8 +314,8 @@ namespace myolines
             std::vector<Vector> results = results_of(set);
             for (std::size_t i = 0; i < results.size(); ++i)
               {
-                results[i] -= widest[i];
-                EXPECT_LE(results[i].l2_norm(), (i == 3 ? half : 1e-12) * widest[i].l2_norm()) << name(set) << ", result " << i;
+                results[i] -= widest[i]; // factors of patches have half precision but in the baseline
+                EXPECT_LE(results[i].l2_norm(), (i == 3 ? 1e-3 : 1e-12) * widest[i].l2_norm()) << name(set) << ", result " << i;
               }
           }
     }
