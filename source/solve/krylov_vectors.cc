@@ -71,7 +71,8 @@ namespace myolines
     MPI_Comm_rank(communicator, &rank);
     layout_.random = std::make_shared<std::minstd_rand>(1 + rank);
     long own = static_cast<long>(n_entries), all = 0;
-    MPI_Allreduce(&own, &all, 1, MPI_LONG, MPI_SUM, communicator);
+    // in parentheses: PETSc, whose headers deal.II may bring, has a macro of this name that would make it be linked
+    (MPI_Allreduce)(&own, &all, 1, MPI_LONG, MPI_SUM, communicator);
     layout_.n_global = all;
     columns_.push_back(std::make_shared<Column>());
     columns_[0]->entries = entries;
@@ -234,7 +235,7 @@ namespace myolines
 
   void KrylovVectors::sum(double *values, const int n) const
   {
-    MPI_Allreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, layout_.communicator);
+    (MPI_Allreduce)(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_SUM, layout_.communicator);
   }
 
   void KrylovVectors::MvTransMv(const double alpha, const MultiVec<double> &A, Matrix &B) const
@@ -275,8 +276,8 @@ namespace myolines
         for (std::size_t i = 0; i < layout_.n; ++i)
           norms[j] = type == Belos::OneNorm ? norms[j] + std::abs(x[i]) : std::max(norms[j], std::abs(x[i]));
       }
-    MPI_Allreduce(MPI_IN_PLACE, norms.data(), GetNumberVecs(), MPI_DOUBLE, type == Belos::OneNorm ? MPI_SUM : MPI_MAX,
-                  layout_.communicator);
+    (MPI_Allreduce)(MPI_IN_PLACE, norms.data(), GetNumberVecs(), MPI_DOUBLE, type == Belos::OneNorm ? MPI_SUM : MPI_MAX,
+                    layout_.communicator);
   }
 
   void KrylovVectors::SetBlock(const MultiVec<double> &A, const std::vector<int> &index)
