@@ -98,9 +98,10 @@ namespace myolines
     const double tangents =
         ((parameters.force_velocity() ? tangent_size_rate : tangent_size_0) + (parameters.viscous() ? 9 : 0)) * sizeof(double) * own;
 
-    sizes.matrix_bytes  = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
-    sizes.bytes         = 20 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
-    sizes.tangent_bytes = points * tangents + own * modes * modes * sizeof(double);
+    sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
+    sizes.bytes        = 20 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
+    // The volume of each cell beside its points, and the columns of its equation that the elimination of the pressure keeps.
+    sizes.tangent_bytes = points * tangents + own * (VolumeLayout(static_cast<int>(modes)).size + 3 * nodes * modes) * sizeof(double);
     if (k > 1)
       {
         const double entry  = widest_instruction_set() == InstructionSet::baseline ? sizeof(float) : sizeof(float) / 2.;
