@@ -22,16 +22,5 @@ namespace myolines
 
   /// M (v_1 - v_0)/dt + F(u_0, u_1) = 0, u_1 - u_0 = dt (v_0 + v_1)/2, with F (u_1 - u_0) = W(u_1) - W(u_0): the work of the forces is what
   /// kinetic energy loses. What is active or viscous, and loads, act as in the implicit midpoint rule.
-  IntegratorEntry energy_momentum_entry()
-  {
-    IntegratorEntry entry;
-    entry.facts  = facts();
-    entry.schema = scene::Schema(entry.facts.summary);
-    declare_composition(entry.schema);
-    entry.facts_of_parameters = [](const scene::Node &node) { return facts_of_composition(facts(), node); };
-    entry.make                = [](const scene::Node &node, const IntegratorContext &context) {
-      return make_midpoint_rule(ForceEvaluation::two_states, facts(), node, context);
-    };
-    return entry;
-  }
+  IntegratorEntry energy_momentum_entry() { return midpoint_entry(ForceEvaluation::two_states, facts()); }
 } // namespace myolines

@@ -18,16 +18,5 @@ namespace myolines
     }
   } // namespace
 
-  IntegratorEntry implicit_midpoint_entry()
-  {
-    IntegratorEntry entry;
-    entry.facts  = facts();
-    entry.schema = scene::Schema(entry.facts.summary);
-    declare_composition(entry.schema);
-    entry.facts_of_parameters = [](const scene::Node &node) { return facts_of_composition(facts(), node); };
-    entry.make                = [](const scene::Node &node, const IntegratorContext &context) {
-      return make_midpoint_rule(ForceEvaluation::averaged_state, facts(), node, context);
-    };
-    return entry;
-  }
+  IntegratorEntry implicit_midpoint_entry() { return midpoint_entry(ForceEvaluation::averaged_state, facts()); }
 } // namespace myolines

@@ -19,8 +19,10 @@ namespace myolines
 {
   namespace
   {
-    /// Cell-wise L2 projection of a point field onto discontinuous polynomials of the degree of the pressure, at least one.
-    Vector project(const Muscle3dSystem &system, const State &state, const PointField &field, const dealii::DoFHandler<3> &target)
+    /// Cell-wise L2 projection of value(parameters, activation, point), which has the components of @p target, onto its discontinuous
+    /// polynomials.
+    template <typename Value>
+    Vector project(const Muscle3dSystem &system, const State &state, const Value &value, const dealii::DoFHandler<3> &target)
     {
       const dealii::FiniteElement<3> &fe = target.get_fe(), &scalar = fe.base_element(0);
       const dealii::QGauss<3>         rule(system.discretisation().element.n_points_1d);
@@ -34,7 +36,7 @@ namespace myolines
         const typename dealii::DoFHandler<3>::active_cell_iterator there(&target.get_triangulation(), cell->level(), cell->index(),
                                                                          &target);
         there->get_dof_indices(numbers);
-        const Vector3 x = field.value(system.parameters(), activation, p);
+        const auto x = value(system.parameters(), activation, p);
         for (unsigned int i = 0; i < numbers.size(); ++i)
           {
             const auto [component, node] = fe.system_to_component_index(i);
@@ -90,7 +92,7 @@ namespace myolines
           if (const PointField *field = find_point_field(name))
             {
               const dealii::DoFHandler<3> &target = field->n_components == 3 ? point_vectors_ : point_scalars_;
-              add(name, field->n_components, target, project(system, state, *field, target));
+              add(name, field->n_components, target, project(system, state, field->value, target));
             }
           else if (const PrincipalField *principal = find_principal_field(name))
             add(name, 3, point_vectors_, project_direction(system, state, *principal));
@@ -103,32 +105,35 @@ namespace myolines
     private:
       Vector project_direction(const Muscle3dSystem &system, const State &state, const PrincipalField &field) const
       {
-        std::vector<Vector> components;
-        for (unsigned int n = 0; n < 6; ++n)
-          {
-            const auto       ij = dealii::SymmetricTensor<2, 3>::unrolled_to_component_indices(n);
-            const PointField component{field.name, "", 1,
-                                       [&](const Muscle3dParameters &parameters, const Activation &activation, const PointState &p) {
-                                         return Vector3({field.tensor(parameters, activation, p)[ij], 0, 0});
-                                       }};
-            components.push_back(project(system, state, component, point_scalars_));
-          }
-        Vector values(point_vectors_.locally_owned_dofs(), point_vectors_.locally_owned_dofs(), point_vectors_.get_communicator());
+        using Tensor             = dealii::SymmetricTensor<2, 3>;
+        constexpr unsigned int n = Tensor::n_independent_components;
+        dealii::DoFHandler<3>  tensors(point_vectors_.get_triangulation());
+        tensors.distribute_dofs(dealii::FESystem<3>(point_vectors_.get_fe().base_element(0), n));
+        const auto components = [&field](const Muscle3dParameters &parameters, const Activation &activation, const PointState &p) {
+          const Matrix3         tensor = field.tensor(parameters, activation, p);
+          std::array<double, n> values;
+          for (unsigned int i = 0; i < n; ++i)
+            values[i] = tensor[Tensor::unrolled_to_component_indices(i)];
+          return values;
+        };
+        const Vector projected = project(system, state, components, tensors);
+        Vector       values(point_vectors_.locally_owned_dofs(), point_vectors_.locally_owned_dofs(), point_vectors_.get_communicator());
         const dealii::FiniteElement<3>              &fe = point_vectors_.get_fe();
-        std::vector<dealii::types::global_dof_index> from(fe.base_element(0).n_dofs_per_cell()), to(fe.n_dofs_per_cell());
-        auto                                         scalar = point_scalars_.begin_active();
-        for (auto cell = point_vectors_.begin_active(); cell != point_vectors_.end(); ++cell, ++scalar)
+        std::vector<dealii::types::global_dof_index> from(tensors.get_fe().n_dofs_per_cell()), to(fe.n_dofs_per_cell());
+        auto                                         there = tensors.begin_active();
+        for (auto cell = point_vectors_.begin_active(); cell != point_vectors_.end(); ++cell, ++there)
           if (cell->is_locally_owned())
             {
-              scalar->get_dof_indices(from);
+              there->get_dof_indices(from);
               cell->get_dof_indices(to);
-              for (unsigned int i = 0; i < to.size(); ++i)
+              for (unsigned int node = 0; node < fe.base_element(0).n_dofs_per_cell(); ++node)
                 {
-                  const auto [component, node] = fe.system_to_component_index(i);
-                  dealii::SymmetricTensor<2, 3> tensor;
-                  for (unsigned int n = 0; n < 6; ++n)
-                    tensor.access_raw_entry(n) = components[n](from[node]);
-                  values(to[i]) = principal_direction(tensor, field.which)[component];
+                  Tensor tensor;
+                  for (unsigned int i = 0; i < n; ++i)
+                    tensor.access_raw_entry(i) = projected(from[tensors.get_fe().component_to_system_index(i, node)]);
+                  const Vector3 direction = principal_direction(tensor, field.which);
+                  for (unsigned int c = 0; c < 3; ++c)
+                    values(to[fe.component_to_system_index(c, node)]) = direction[c];
                 }
             }
         return values;

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -152,6 +153,13 @@ namespace myolines
               {"fibre direction at rest", "", 3,
                [](const Parameters &, const Activation &, const PointState &p) { return invert(p.F) * p.fibre; }}};
     }
+
+    template <typename Field>
+    const Field *find_named(const std::vector<Field> &fields, const std::string &name)
+    {
+      const auto found = std::find_if(fields.begin(), fields.end(), [&name](const Field &field) { return field.name == name; });
+      return found == fields.end() ? nullptr : &*found;
+    }
   } // namespace
 
   const std::vector<PointField> &point_fields()
@@ -199,19 +207,6 @@ namespace myolines
     return direction[greatest] < 0 ? -direction : direction;
   }
 
-  const PointField *find_point_field(const std::string &name)
-  {
-    for (const PointField &field : point_fields())
-      if (field.name == name)
-        return &field;
-    return nullptr;
-  }
-
-  const PrincipalField *find_principal_field(const std::string &name)
-  {
-    for (const PrincipalField &field : principal_fields())
-      if (field.name == name)
-        return &field;
-    return nullptr;
-  }
+  const PointField     *find_point_field(const std::string &name) { return find_named(point_fields(), name); }
+  const PrincipalField *find_principal_field(const std::string &name) { return find_named(principal_fields(), name); }
 } // namespace myolines

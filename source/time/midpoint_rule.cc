@@ -63,34 +63,42 @@ namespace myolines
 
     /// alpha_m = alpha_f = 1/2, beta = 1/4, gamma = 1/2: u and v are those of the rule, whatever a_0 is.
     constexpr AlphaCoefficients midpoint{0.5, 0.5, 0.25, 0.5};
+
+    MethodFacts facts_of_composition(MethodFacts facts, const scene::Node &integrator)
+    {
+      if (is_composed(integrator))
+        {
+          facts.order     = 4;
+          facts.stability = "unconditional for oscillations that nothing damps; what is overdamped grows in the part back in time";
+        }
+      return facts;
+    }
+
+    std::unique_ptr<Integrator> make_midpoint_rule(const ForceEvaluation force, const MethodFacts &facts, const scene::Node &integrator,
+                                                   const IntegratorContext &context)
+    {
+      IntegratorContext exact = context;
+      exact.error_norm        = nullptr;
+      auto rule               = make_alpha_method(midpoint, force, FirstStep::own, facts, integrator, exact);
+      if (!is_composed(integrator))
+        return rule;
+      const double p = 1 / (4 - std::cbrt(4.));
+      return std::make_unique<Composition>(std::vector<double>{p, p, 1 - 4 * p, p, p}, std::move(rule));
+    }
   } // namespace
 
-  void declare_composition(scene::Schema &schema)
+  IntegratorEntry midpoint_entry(const ForceEvaluation force, const MethodFacts &facts)
   {
-    schema.choice("composition", "none", {"none", "suzuki"},
-                  "Whether a step is one of the method, of order 2, or of five parts, one of them back in time, of order 4 (Suzuki, "
-                  "doi:10.1016/0375-9601(90)90962-N).");
-  }
-
-  MethodFacts facts_of_composition(MethodFacts facts, const scene::Node &integrator)
-  {
-    if (is_composed(integrator))
-      {
-        facts.order     = 4;
-        facts.stability = "unconditional for oscillations that nothing damps; what is overdamped grows in the part back in time";
-      }
-    return facts;
-  }
-
-  std::unique_ptr<Integrator> make_midpoint_rule(const ForceEvaluation force, const MethodFacts &facts, const scene::Node &integrator,
-                                                 const IntegratorContext &context)
-  {
-    IntegratorContext exact = context;
-    exact.error_norm        = nullptr;
-    auto rule               = make_alpha_method(midpoint, force, FirstStep::own, facts, integrator, exact);
-    if (!is_composed(integrator))
-      return rule;
-    const double p = 1 / (4 - std::cbrt(4.));
-    return std::make_unique<Composition>(std::vector<double>{p, p, 1 - 4 * p, p, p}, std::move(rule));
+    IntegratorEntry entry;
+    entry.facts  = facts;
+    entry.schema = scene::Schema(facts.summary);
+    entry.schema.choice("composition", "none", {"none", "suzuki"},
+                        "Whether a step is one of the method, of order 2, or of five parts, one of them back in time, of order 4 (Suzuki, "
+                        "doi:10.1016/0375-9601(90)90962-N).");
+    entry.facts_of_parameters = [facts](const scene::Node &node) { return facts_of_composition(facts, node); };
+    entry.make                = [force, facts](const scene::Node &node, const IntegratorContext &context) {
+      return make_midpoint_rule(force, facts, node, context);
+    };
+    return entry;
   }
 } // namespace myolines

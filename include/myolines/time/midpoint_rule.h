@@ -11,10 +11,5 @@ namespace myolines
   /// With `composition` = `suzuki` a step is five of these, over the parts p, p, 1 - 4 p, p, p of dt with p = 1/(4 - 4^(1/3)) (Suzuki,
   /// doi:10.1016/0375-9601(90)90962-N; Hairer, Lubich and Wanner, doi:10.1007/3-540-30666-8, II.4). As the rule is symmetric, they are of
   /// order 4; they conserve what the rule conserves, and none of them ends outside the step.
-  std::unique_ptr<Integrator> make_midpoint_rule(ForceEvaluation force, const MethodFacts &facts, const scene::Node &integrator,
-                                                 const IntegratorContext &context);
-
-  /// The choice `composition`, and the facts of the rule with what was chosen.
-  void        declare_composition(scene::Schema &schema);
-  MethodFacts facts_of_composition(MethodFacts facts, const scene::Node &integrator);
+  IntegratorEntry midpoint_entry(ForceEvaluation force, const MethodFacts &facts);
 } // namespace myolines
