@@ -70,7 +70,7 @@ namespace myolines
     NonlinearReport   report_;
     NewtonSteps       steps_;
     bool              below_resolution_ = false; ///< the last direction is
-    unsigned int      waited_           = 0;     ///< steps since the residual was last below all before
+    unsigned int      waited_           = 0;     ///< steps since the residual was last below all before, shortened ones fourfold
     double            lowest_           = 0;     ///< that residual, where waited_ > 0
   };
 } // namespace myolines

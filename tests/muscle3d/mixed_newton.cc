@@ -299,8 +299,9 @@ namespace myolines
     TEST(MixedNewton, AFirstGuessOfWrongVolumeIsMended)
     {
       Muscle3dParameters p = cantilever(0.03, -1e4);
-      test::Simulation   simulation(p);
-      const auto         solve = [&](const double stretch) {
+      // Exact directions: from this far away the way of loose ones hangs on rounding.
+      test::Simulation simulation(p, {"relative tolerance=1e-10", "forcing minimum=1e-7", "forcing maximum=1e-6"});
+      const auto       solve = [&](const double stretch, const unsigned int iterations) {
         const IntegratorContext context{simulation.system, simulation.solvers.nonlinear, BoundaryRates::scheme, simulation.solvers.ledger};
         StageSolver             solver(context);
         Stage                   stage;
@@ -315,16 +316,19 @@ namespace myolines
         d.update_ghost_values();
         const NonlinearReport report = solver.solve(stage, end, d);
         EXPECT_TRUE(report.converged) << stretch << ": " << report.reason;
-        EXPECT_LE(report.iterations, 12u) << stretch;
+        EXPECT_LE(report.iterations, iterations) << stretch;
         return end.u;
       };
-      const Vector right = solve(1);
-      for (const double stretch : {std::cbrt(1.2), std::cbrt(0.8)})
-        {
-          Vector difference = solve(stretch);
-          difference -= right;
-          EXPECT_LT(difference.linfty_norm(), 1e-10) << stretch;
-        }
+      const Vector right = solve(1, 4);
+      // The squeezed body takes a few steps in vain, then the cautious solve brings it home.
+      for (const auto &[volume, iterations] : {std::pair{1.2, 8u}, std::pair{0.8, 24u}})
+        for (int round_off = 0; round_off < 3; ++round_off)
+          {
+            const double stretch    = std::cbrt(volume) + 1e-13 * round_off;
+            Vector       difference = solve(stretch, iterations);
+            difference -= right;
+            EXPECT_LT(difference.linfty_norm(), 1e-10) << stretch;
+          }
     }
 
     class AtRest : public ::testing::TestWithParam<std::string>

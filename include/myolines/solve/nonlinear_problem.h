@@ -58,7 +58,8 @@ namespace myolines
     /// What is open now becomes the whole gap w, and @p y -= (dF/dw) w at the last linearise().
     virtual void lift_rates(Vector & /*y*/) {}
 
-    /// How many Newton steps in a row the line search may wait until the residual is below that before them; 0: every step has to lower it.
+    /// How many Newton steps in a row the line search may wait until the residual is below that before them, where a shortened step counts
+    /// as four; 0: every step has to lower it.
     virtual unsigned int patience() const { return 0; }
 
     /// Whether F is affine: a direct solve then ends at the root, where only rounding is left of the residual.
