@@ -31,6 +31,11 @@ namespace myolines
         return motion_ ? force(t, side, point, x) * direction() * motion_->first_derivative(t, side) : 0;
       }
 
+      std::optional<std::array<double, 2>> tendon(const double t, const Side side, const Vector3 &u) const override
+      {
+        return std::array<double, 2>{{slack(t, side) - direction() * u, spring_length()}};
+      }
+
     private:
       double slack(const double t, const Side side) const override { return motion_ ? motion_->value(t, side) : 0; }
 

@@ -66,6 +66,7 @@ namespace myolines
       double force(const double s) const override { return force_ * Law::curve(1 + s / length_).value; }
       double slope(const double s) const override { return force_ / length_ * Law::curve(1 + s / length_).slope; }
       double energy(const double s) const override { return force_ * length_ * Law::energy(1 + s / length_); }
+      double slack_length() const override { return length_; }
 
     private:
       const double force_, length_;

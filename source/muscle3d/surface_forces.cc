@@ -229,20 +229,35 @@ namespace myolines
     return all;
   }
 
-  SurfaceForces::Work SurfaceForces::work(const Point &at) const
+  SurfaceForces::Work SurfaceForces::work(const Point &at, const BoundaryCondition *of) const
   {
     const CurrentGhosts u(at.u), v(at.v);
     const Point         point{at.t, at.side, u.vector(), v.vector(), at.a};
-    std::vector<double> sums(3);
+    std::vector<double> sums(4);
     for_each_point(pushing, [&](const Face &face, const std::size_t q) {
+      if (of != nullptr && of != face.condition)
+        return;
       const BoundaryCondition &condition = *face.condition;
       const FaceMotion         x         = motion(face, q, point, true);
       sums[0] += condition.energy(point.t, point.side, face.points[q], x);
       sums[1] += condition.power(point.t, point.side, face.points[q], x);
       sums[2] += condition.dissipation(point.t, point.side, face.points[q], x);
+      sums[3] += condition.force(point.t, point.side, face.points[q], x) * x.v;
     });
     dealii::Utilities::MPI::sum(sums, d_.communicator, sums);
-    return {sums[0], sums[1], sums[2]};
+    return {sums[0], sums[1], sums[2], sums[3]};
+  }
+
+  double SurfaceForces::load_power(const Point &at, const BoundaryCondition &condition) const
+  {
+    const CurrentGhosts u(at.u), v(at.v);
+    const Point         point{at.t, at.side, u.vector(), v.vector(), at.a};
+    double              sum = 0;
+    for_each_point(loading, [&](const Face &face, const std::size_t q) {
+      if (face.condition == &condition)
+        sum += condition.load(point.t, point.side, face.points[q]) * motion(face, q, point, true).v;
+    });
+    return dealii::Utilities::MPI::sum(sum, d_.communicator);
   }
 
   Vector3 SurfaceForces::force(const Point &at, const BoundaryCondition &condition) const

@@ -177,7 +177,7 @@ namespace myolines::picture
       for (std::size_t i = 0; i < pictures.n_frames(); ++i)
         {
           all.push_back(pixels_of(sheet_of(pictures.frame(i), pictures.style(), frame)));
-          char number[16];
+          char number[32];
           std::snprintf(number, sizeof number, "-%04zu.png", i);
           folder.write(pictures.name() + number, png_of(all.back()));
         }

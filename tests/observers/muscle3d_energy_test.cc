@@ -92,3 +92,34 @@ TEST(MuscleOutputs, PowersAloneAreThoseOfAllMeasures)
   EXPECT_DOUBLE_EQ(powers.body_force_power, body.body_force_power);
   EXPECT_NE(powers.body_force_power, 0);
 }
+
+TEST(MuscleOutputs, ConditionsTellTheirPowersAndTendons)
+{
+  // u = (0, 0, 0) + (a X, 0, 0) with v = (r X, 0, 0): the face x = L moves by a L at r L.
+  constexpr double   L = 0.03, a = 0.1, r = 2, k = 400, traction = 5e3, foundation = 3e5;
+  Muscle3dParameters p = block();
+  p.activation         = nullptr;
+  p.boundary           = {
+                fixed("left", 0), test::condition("tendon spring", 1, {"direction=1 0 0", "spring/type=linear", "spring/stiffness=400"}, "tendon"),
+                test::condition("traction", 5, {"traction x=5e3"}, "pull"), test::condition("elastic foundation", 4, {"stiffness=3e5"}, "ground")};
+  test::Folder         folder;
+  WorkLedger           ledger;
+  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
+  const auto           observers = make_outputs(output_scene(setting("conditions", "bool", "true")), system, folder.path, ledger);
+  observers[0]->begin(homogeneous(system, 0, {a, 0, 0}, {r, 0, 0}));
+
+  const std::vector<std::string> lines = folder.lines("conditions.csv");
+  EXPECT_EQ(lines[0],
+            "Time [s],left power [W],tendon power [W],tendon stored [J],tendon dissipation [W],tendon elongation [m],pull power [W],"
+            "ground power [W],ground stored [J],ground dissipation [W]");
+  const std::vector<double> row = test::numbers(lines[1]);
+  EXPECT_NEAR(row[1], 0, 1e-14);
+  EXPECT_NEAR(row[3], k / 2 * std::pow(a * L, 2), 1e-15);
+  EXPECT_EQ(row[4], 0);
+  EXPECT_NEAR(row[5], -a * L, 1e-15);
+  const double side = L * 0.01; // the faces z = 0 and z = 2 cm
+  EXPECT_NEAR(row[6], traction * side * r * L / 2, 1e-12);
+  EXPECT_NEAR(row[7], -foundation * side * a * r * L * L / 3, 1e-12);
+  EXPECT_NEAR(row[8], foundation / 2 * side * a * a * L * L / 3, 1e-14);
+  EXPECT_EQ(row[9], 0);
+}

@@ -9,6 +9,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -146,6 +147,10 @@ namespace myolines
 
     /// Directions in which springs hold a point with this normal: rigid motions across them are free.
     virtual std::vector<Vector3> held_directions(const Vector3 & /*normal*/) const { return {}; }
+
+    /// Elongation of the tendon of a face with the mean motion @p u [m], and of how long a one [m], 0: it has no length. Nothing: there is
+    /// none.
+    virtual std::optional<std::array<double, 2>> tendon(double /*t*/, Side, const Vector3 & /*u*/) const { return std::nullopt; }
 
     /// Values of facts().columns.
     virtual std::vector<double> own_columns(double /*t*/, Side, const FaceReaction &) const { return {}; }

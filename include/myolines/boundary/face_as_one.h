@@ -27,6 +27,7 @@ namespace myolines
 
     const Vector3 &direction() const { return direction_; }
     bool           has_spring() const { return spring_ != nullptr; }
+    double         spring_length() const { return spring_->slack_length(); } ///< [m]
 
   private:
     /// s: where the face would stand without a force of the spring [m].

@@ -13,9 +13,10 @@ namespace myolines
   public:
     virtual ~TendonSpring() = default;
 
-    virtual double force(double s) const  = 0; ///< [N]
-    virtual double slope(double s) const  = 0; ///< [N/m]
-    virtual double energy(double s) const = 0; ///< integral of the force from 0 [J]
+    virtual double force(double s) const  = 0;        ///< [N]
+    virtual double slope(double s) const  = 0;        ///< [N/m]
+    virtual double energy(double s) const = 0;        ///< integral of the force from 0 [J]
+    virtual double slack_length() const { return 0; } ///< [m], 0: the law knows none
   };
 
   /// k s, of both signs.

@@ -31,6 +31,7 @@ namespace myolines
     const Muscle3dSystem &system() const { return system_; }
     const State          &state() const { return state_; }
     double                t() const { return state_.t; }
+    Side                  side() const { return side_; } ///< the limit of given functions at a kink
 
     const BodyMeasures                &body() const;
     Powers                             powers() const; ///< less work than body(), and none if that was measured
