@@ -25,8 +25,8 @@ namespace myolines
     /// @p spring: nullptr for none.
     FaceAsOne(const scene::Node &node, const BoundaryReading &reading, std::shared_ptr<const TendonSpring> spring);
 
-    const Vector3 &direction() const { return direction_; }
-    bool           has_spring() const { return spring_ != nullptr; }
+    const Vector3 &direction() const { return direction_; }          ///< n
+    bool           has_spring() const { return spring_ != nullptr; } ///< whether a spring acts on it
 
   private:
     /// s: where the face would stand without a force of the spring [m].

@@ -60,5 +60,5 @@ namespace myolines
 
   /// The choice `first step`, and what was chosen.
   void      declare_first_step(scene::Schema &schema);
-  FirstStep first_step(const scene::Node &integrator);
+  FirstStep first_step(const scene::Node &integrator); ///< The choice that the list @p integrator makes.
 } // namespace myolines
