@@ -82,8 +82,8 @@ def say_who_is_meant(app, docname, source):
 
 
 def say_how_it_was_made(app, docname, source):
-    """Below a table that doc/check compares stands what makes it: in the source that is a comment."""
-    if not docname.startswith("manual/reference/"):
+    """Below a table that doc/check compares stands what makes it: in the source that is a comment. Tutorials have their commands above."""
+    if not docname.startswith("manual/"):
         source[0] = re.sub(r"<!-- made by (.*?)\n(.*?)-->(.*?<!-- end of .*? -->)",
                            lambda match: f"{match.group(0)}\n\n*Made by* `{match.group(1)}`"
                            + "".join(f", {line[6:]}" for line in match.group(2).split("\n") if line.startswith("made: ")) + ".\n", source[0], flags=re.S)
