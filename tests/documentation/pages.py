@@ -7,7 +7,7 @@ pages.py ROOT [--program MYOLINES] [--list]
 - Words and turns of FORBIDDEN occur nowhere outside code; those of DEFINED only if the glossary defines them.
 - Sentences of a page have at most 25 words on average, tables and code aside. --list prints the averages.
 - Links lead to files that exist, and behind a # to a heading there.
-- Paths in backticks that begin with a folder of the repository exist.
+- Paths in backticks that begin with a folder of the repository exist, and so do the headers of doc/interface.md.
 - A page of doc/results says on top when and from which commit it was measured, and the table of doc/results/index.md has it.
 - Files and names of the code do not have the word peer, which was Flexodeal.
 - Numbers in the table of doc/which_method.md stand on the pages that it names.
@@ -139,8 +139,11 @@ def look_at_links(root, page, text):
     for match in re.finditer(r"`([\w./-]+)`", text):
         path = match.group(1)
         file_or_folder = "." in os.path.basename(path) or path.endswith("/")
-        if file_or_folder and path.split("/")[0] in FOLDERS and "/" in path and not glob.glob(os.path.join(root, path) + "*") and "my_" not in path:
+        header = re.fullmatch(r"\w+/\w+\.h", path) and os.path.exists(os.path.join(root, "include/myolines", path))
+        if file_or_folder and path.split("/")[0] in FOLDERS and "/" in path and not header and not glob.glob(os.path.join(root, path) + "*") and "my_" not in path:
             found.append(f"{page}:{line_of(text, match.start())}: there is no {path}")
+        if page == "doc/interface.md" and re.fullmatch(r"\w+/\w+\.h", path) and not header:
+            found.append(f"{page}:{line_of(text, match.start())}: there is no header {path}")
     return found
 
 

@@ -23,6 +23,7 @@ FAULTS = [
     ("README.md", "```sh\nmyolines walk scene.xml\n```", "there is no command walk"),
     ("doc/manual/glossary.md", None, '"kink" is not defined'),
     ("source/peer.cc", "", '"peer"'),
+    ("doc/interface.md", "See `room/header.h`.", "there is no header room/header.h"),
     ("doc/which_method.md", "| a | b | costs 7 steps ([one](results/one.md)) |\n", "does not have the number 7"),
     ("doc/results/one.md", "# One\n\nA number: 1.\n", "does not say on top when"),
     ("doc/results/two.md", "# Two\n\n*Measured 2026-01-01, commit 1234567, by the command below.*\n", "has no row for two.md"),
