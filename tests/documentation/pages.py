@@ -9,7 +9,7 @@ pages.py ROOT [--program MYOLINES] [--list]
 - Links lead to files that exist, and behind a # to a heading there.
 - Paths in backticks that begin with a folder of the repository exist, and so do the headers of doc/interface.md.
 - A page of doc/results says on top when and from which commit it was measured, and the table of doc/results/index.md has it.
-- Files and names of the code do not have the word peer, which was Flexodeal.
+- Files and names of the code do not have the word peer, which was Flexodeal, and comments none of the FORBIDDEN.
 - Numbers in the table of doc/which_method.md stand on the pages that it names.
 - With a program: commands and options that a page names are known to it.
 
@@ -120,9 +120,15 @@ def look_at_words(page, text, defined):
 def look_at_code(root):
     """Names of files and what stands in them, where readers of the code meet it."""
     files = [path for folder in FOLDERS for path in glob.glob(os.path.join(root, folder, "**/*"), recursive=True)]
-    texts = {path: os.path.relpath(path, root) + (read(path) if path.endswith((".h", ".cc")) else "") for path in files}
-    return [f'{os.path.relpath(path, root)}: "peer"; say: Flexodeal' for path, text in texts.items()
-            if re.search("peer", text, re.I)]
+    texts = {path: read(path) if path.endswith((".h", ".cc")) else "" for path in files}
+    found = [f'{os.path.relpath(path, root)}: "peer"; say: Flexodeal' for path, text in texts.items()
+             if re.search("peer", os.path.relpath(path, root) + text, re.I)]
+    for path, text in texts.items():
+        if not os.path.relpath(path, root).startswith("tests"):
+            comments = "\n".join(re.findall(r"//(.*)", text))
+            found += [f'{os.path.relpath(path, root)}: "{match.group()}" in a comment; say: {instead}'
+                      for turn, instead in FORBIDDEN.items() for match in [re.search(turn, comments, re.I)] if match]
+    return found
 
 
 def look_at_links(root, page, text):

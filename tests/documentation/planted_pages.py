@@ -23,6 +23,7 @@ FAULTS = [
     ("README.md", "```sh\nmyolines walk scene.xml\n```", "there is no command walk"),
     ("doc/manual/glossary.md", None, '"kink" is not defined'),
     ("source/peer.cc", "", '"peer"'),
+    ("source/dear.cc", "int x; // a dear one\n", '"dear" in a comment'),
     ("doc/interface.md", "See `room/header.h`.", "there is no header room/header.h"),
     ("doc/which_method.md", "| a | b | costs 7 steps ([one](results/one.md)) |\n", "does not have the number 7"),
     ("doc/results/one.md", "# One\n\nA number: 1.\n", "does not say on top when"),

@@ -14,7 +14,7 @@ namespace myolines
     std::string where;    ///< file, and path of the parameter inside it ("scene.xml: time/step")
     std::string what;     ///< what is wrong, with the offending value
     std::string expected; ///< what would have been right (type, range, unit); may be empty
-    std::string hint;     ///< how to mend it, e.g. the nearest valid name; may be empty
+    std::string hint;     ///< how to mend it, such as the nearest valid name; may be empty
   };
 
   /// Invalid input: the program ends with exit code 2 and prints every problem.

@@ -21,7 +21,7 @@ namespace myolines
 
     /// The value of one of the three at @p x and the fourth variable.
     double operator()(unsigned int component, const dealii::Point<3> &x, double fourth) const;
-    /// True if the text of the component is just "0".
+    /// True if the text of the component is "0".
     bool zero(unsigned int component) const { return text_[component] == "0"; }
 
   private:
