@@ -72,8 +72,18 @@ def without_current_colour(svg):
     return svg.replace(marks[0], copies + marks[0], 1).replace("currentColor", "black") if marks else svg
 
 
+def with_wide_tables(page):
+    """Tables of nine columns or more have a class of their own, by which book.css makes them fit."""
+    return re.sub(r'<table class="([^"]*)"(?=[^>]*>\s*<thead>(?:(?!</thead>).)*(?:<th\b(?:(?!</thead>).)*){9})', r'<table class="\1 wide"', page, flags=re.S)
+
+
 def prepare_book(app, exception):
     if exception is None and app.builder.name == "singlehtml":
+        book = os.path.join(app.outdir, "index.html")
+        with open(book, encoding="utf-8") as file:
+            page = file.read()
+        with open(book, "w", encoding="utf-8") as file:
+            file.write(with_wide_tables(page))
         for path in glob.glob(os.path.join(app.outdir, "_images", "*.svg")):
             with open(path, encoding="utf-8") as file:
                 svg = file.read()
