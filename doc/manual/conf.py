@@ -81,6 +81,15 @@ def say_who_is_meant(app, docname, source):
     source[0] = "\n".join(lines)
 
 
+def say_how_it_was_made(app, docname, source):
+    """Below a table that doc/check compares stands what makes it: in the source that is a comment. Tutorials have their commands above."""
+    if not docname.startswith("manual/"):
+        source[0] = re.sub(r"<!-- made by (.*?)\n(.*?)-->(.*?<!-- end of .*? -->)",
+                           lambda match: f"{match.group(0)}\n\n*Made by* `{match.group(1)}`"
+                           + "".join(f", {line[6:]}" for line in match.group(2).split("\n") if line.startswith("made: ")) + ".\n", source[0], flags=re.S)
+
+
 def setup(app):
     app.connect("source-read", add_pages_of_no_list)
     app.connect("source-read", say_who_is_meant)
+    app.connect("source-read", say_how_it_was_made)

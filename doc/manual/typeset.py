@@ -72,8 +72,36 @@ def without_current_colour(svg):
     return svg.replace(marks[0], copies + marks[0], 1).replace("currentColor", "black") if marks else svg
 
 
+def with_widths(table):
+    """A table whose columns share the sheet by their text, for WeasyPrint takes several pieces of code in a cell for one word. Nothing of a table is
+    broken by letters unless a word has more of them than a column bears."""
+    def texts(row):
+        for cell in re.findall(r"<t[dh]\b.*?</t[dh]>", row, re.S):
+            cell = re.sub(r"<svg\b.*?</svg>|<img\b[^>]*\btex\b[^>]*>", "formula.", cell, flags=re.S)
+            cell = re.sub(r"<img\b[^>]*>", "picture, " * 6, cell)
+            yield html.unescape(re.sub(r"<[^>]*>", "", cell)).strip()
+
+    rows = [list(texts(row)) for row in re.findall(r"<tr\b.*?</tr>", table.group(0), re.S)]
+    columns = list(zip(*rows))
+    wide = len(columns) > 8
+    room = 150 if wide else 112  # letters that a line of a sheet has, of the sizes in book.css
+    least = [3 + 1.15 * min(26, max(len(word) for text in column for word in text.split() or [""])) for column in columns]
+    wanted = [max(low, 3 + min(80, max(map(len, column)))) for low, column in zip(least, columns)]
+    spare = max(0, room - sum(least))
+    share = min(1, spare / max(1, sum(wanted) - sum(least)))
+    widths = [low + share * (high - low) for low, high in zip(least, wanted)]
+    group = "".join(f'<col style="width: {100 * width / sum(widths):.1f}%">' for width in widths)
+    return (f'<table class="{table.group(1)}{" wide" if wide else ""}" style="width: {min(100, 100 * sum(widths) / room):.0f}%">'
+            f"<colgroup>{group}</colgroup>{table.group(2)}")
+
+
 def prepare_book(app, exception):
     if exception is None and app.builder.name == "singlehtml":
+        book = os.path.join(app.outdir, "index.html")
+        with open(book, encoding="utf-8") as file:
+            page = file.read()
+        with open(book, "w", encoding="utf-8") as file:
+            file.write(re.sub(r'<table class="(docutils [^"]*)">(.*?</table>)', with_widths, page, flags=re.S))
         for path in glob.glob(os.path.join(app.outdir, "_images", "*.svg")):
             with open(path, encoding="utf-8") as file:
                 svg = file.read()

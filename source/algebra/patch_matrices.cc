@@ -96,6 +96,8 @@ namespace myolines
     n_refused_ = 0;
   }
 
+  /// Matrices that are added up at the same time are few, as patches are completed on the way: their memory goes from one to the next. It
+  /// is asked of the system in pieces that fill a large page.
   void PatchMatrices::open(const unsigned int p)
   {
     const std::size_t size = place(largest_, 0);
@@ -138,13 +140,15 @@ namespace myolines
               }
             from = nullptr;
           }
-        for (unsigned int i = group.size[lane]; i < group.n; ++i) // rows that this lane does not have
+        // Rows that this lane does not have are those of the identity: the factor of the smaller matrix is not touched by them.
+        for (unsigned int i = group.size[lane]; i < group.n; ++i)
           matrices[at(i, i, lane)] = 1;
       }
     const unsigned int refused = kernels_->factorise(group.n, matrices, sums.data(), scratch.data());
     for (unsigned int lane = 0; lane < group.n_filled; ++lane)
       if (refused >> lane & 1)
         {
+          // The diagonal of row sums is above the matrix in the sense of quadratic forms: S stays bounded by the overlap.
           ++n_refused_;
           for (unsigned int i = 0; i < group.n; ++i)
             {
@@ -173,6 +177,7 @@ namespace myolines
     r.update_ghost_values();
     z.zero_out_ghost_values();
     z = 0;
+    // Factors have half or single precision, so vectors need no more.
     dealii::AlignedVector<float> work(2 * std::size_t(largest_) * n_lanes);
     float                       *x = work.data(), *y = x + std::size_t(largest_) * n_lanes;
     const double                *from = r.begin();

@@ -148,7 +148,8 @@ namespace myolines
     star_.assign(8 * n_cells, -1);
     positions_.assign(8 * n_cells * per_corner, outside);
 
-    // Stars have numbers in the order in which their last cells come.
+    // Stars have numbers in the order in which their last cells come: neighbours in number are then complete at about the same time, and
+    // their memory is free for others.
     const auto               &owned = coarse_.nodes().locally_owned_dofs();
     std::vector<std::size_t>  last(owned.n_elements(), 0);
     std::vector<unsigned int> vertices(owned.n_elements()), number(owned.n_elements());
@@ -223,7 +224,7 @@ namespace myolines
 
   void VertexStars::add(const unsigned int b, const double *element_matrices)
   {
-    add_to_coarse(b, element_matrices);
+    add_to_coarse(b, element_matrices); // whose matrix has relations of its own
     if (!has_eliminations(b))
       {
         add_to_patches(b, element_matrices);
@@ -271,6 +272,7 @@ namespace myolines
         }
   }
 
+  /// P^T K P cell by cell. P has the same weights for each component, so the nine blocks are treated one by one.
   void VertexStars::add_to_coarse(const unsigned int b, const double *matrices)
   {
     std::fill(coarse_element_.begin(), coarse_element_.end(), 0.);

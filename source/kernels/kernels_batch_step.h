@@ -45,7 +45,8 @@ namespace myolines
         }
     }
 
-    /// The tangents of the points, each as StepTangentValue.
+    /// The tangents of the points, each as StepTangentValue. S depends on F_1 by C_1 alone: its changes along the six units of a symmetric
+    /// C are enough, and dC = F^T dF + dF^T F makes moduli of nine columns of them.
     void step_tangents(T *tangents)
     {
       enter_step();
@@ -65,7 +66,7 @@ namespace myolines
           for (int q = 0; q < n_points; ++q)
             {
               const StepPoint<T> &at = points()[q];
-              const Mat3<T>       dU = T(0.25) * (transpose(at.inverse) * E);
+              const Mat3<T>       dU = T(0.25) * (transpose(at.inverse) * E); // 2 sym(U^T dU) = E/2 = dC_m; laws do not see its rotation
               save(dU, along + 9 * q);
               save(T(-1.) * (transpose(at.inverse) * (transpose(dU) * at.rate)), along_rate + 9 * q); // at one rate of C
             }

@@ -74,6 +74,7 @@ namespace myolines
           }
     }
 
+    /// Lanes behind the last cell repeat it (CellBatches): what they hold is not added.
     void scatter(const T *nodal, double *x) const
     {
       for (int i = 0; i < n_nodes; ++i)
@@ -160,6 +161,7 @@ namespace myolines
 
     const T *local() const { return reinterpret_cast<const T *>(cells.local); }
 
+    /// Written as it is so that NaN, which is not above zero, is refused as well.
     static void require_positive(const T &x, T &admissible) { admissible = select(x > T(0.), admissible, T(-1.)); }
 
     bool filled_lanes_are(const T &admissible) const
@@ -200,6 +202,7 @@ namespace myolines
           add_moments(J, q, moments);
         }
       project(moments, projected);
+      // D is an iterate of its own beside u, or Pi(J). In the latter case `missing` is zero, and `linearised` below is Pi(Psi'(D)).
       const T *z = cells.local != nullptr ? local() : projected;
       for (int i = 0; i < t.n_modes; ++i)
         {
@@ -238,7 +241,7 @@ namespace myolines
     {
       T nodal[3 * n_nodes];
       clear(nodal, 3 * n_nodes);
-      T *reference = coefficients;
+      T *reference = coefficients; // free here: tangents do not come this way
       for (int a = 0; a < 3; ++a)
         {
           if (flux)

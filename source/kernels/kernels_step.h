@@ -28,8 +28,8 @@ namespace myolines
           slope_of_g = slope_of_g * z + T(double(k) / (2 * k + 1));
         }
       g                = g * z + T(1.);
-      const auto small = z < T(0.01);
-      const T    x     = select(small, T(0.5), y); // artanh x / x where the series is long
+      const auto small = z < T(0.01);              // the next term of the series is below 1e-19 then
+      const T    x     = select(small, T(0.5), y); // artanh x / x where the series is long; anything harmless elsewhere
       const T    far   = T(0.5) * log((T(1.) + x) / (T(1.) - x)) / x;
       g                = select(small, g, far);
       slope_of_g       = select(small, slope_of_g, T(0.5) * (T(1.) / (T(1.) - x * x) - far) / (x * x));
@@ -106,6 +106,7 @@ namespace myolines
     }
 
   private:
+    /// U by Cholesky's method, and its inverse by substitution.
     MYOLINES_INLINE void triangulate()
     {
       U             = Mat3<T>::zero();

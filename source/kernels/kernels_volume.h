@@ -50,7 +50,8 @@ namespace myolines
       return T(2.) * Yeoh<T>(material(q) + material_yeoh).response(dot(F + 9 * q, F + 9 * q) / (root * root)).first + T(cells.law_shear);
     }
 
-    /// Psi_vol'' of the state at a point as matrices have it.
+    /// Psi_vol'' of the state at a point as matrices have it. Softened it stays below a limit that goes with the shear modulus, so that
+    /// p multigrid, whose coarse space locks, never sees a nearly incompressible matrix; the rest is left to GMRES.
     T volumetric_stiffness_of(const bool softened, const int q) const
     {
       const T full = volumetric_stiffness(q, expand(dilatation, q));
@@ -97,7 +98,8 @@ namespace myolines
           }
     }
 
-    /// R, upper triangular: R phi are orthonormal, R^T R = M_p^(-1).
+    /// R, upper triangular: R phi are orthonormal, R^T R = M_p^(-1), a Cholesky factorisation. In these modes the L2 norm of a pressure is
+    /// the root of a plain sum of squares, whatever the shape of the cell.
     void orthonormal_modes(T *R) const
     {
       const T  *mass = reinterpret_cast<const T *>(cells.inverse_mode_mass);
@@ -150,7 +152,8 @@ namespace myolines
         }
     }
 
-    /// A symmetric positive definite matrix becomes its inverse.
+    /// A symmetric positive definite matrix becomes its inverse, by Gauss and Jordan in its own place. Being definite it needs no pivoting,
+    /// which lanes could not do each for itself.
     void invert(T *A) const
     {
       const int n = t.n_modes;
@@ -200,7 +203,7 @@ namespace myolines
           for (int j = 0; j < t.n_modes; ++j)
             at[layout.residual + i] += C[i * t.n_modes + j] * gap[j];
         }
-      const T per_volume   = sqrt(cbrt(volume)) / volume;
+      const T per_volume   = sqrt(cbrt(volume)) / volume; // a mean, times the root of the size of the cell
       at[layout.shear]     = mu * per_volume;
       at[layout.shear + 1] = bulk * per_volume;
     }
@@ -244,6 +247,7 @@ namespace myolines
           require_positive(expand(D_t, q), admissible);
           require_positive(expand(projected, q), admissible);
         }
+      // There is no return value for each lane: a dilatation that is no number makes the residual there inadmissible.
       D_t[0] = select(admissible > T(0.), D_t[0], T(std::numeric_limits<double>::quiet_NaN()));
     }
 

@@ -126,12 +126,13 @@ namespace myolines
                                  a.begin(), r.begin(), forces, d.scratch());
     count_terms(model, "residual", ledger_);
 
+    // A rank that met an inadmissible cell has stopped there; all go on to this sum, and all refuse.
     std::vector<double> sums{valid ? 0. : 1., forces.internal, forces.volume, forces.rounding};
     dealii::Utilities::MPI::sum(sums, d.communicator, sums);
     if (sums[0] > 0)
       {
         r.zero_out_ghost_values();
-        r = std::numeric_limits<double>::quiet_NaN();
+        r = std::numeric_limits<double>::quiet_NaN(); // whoever overlooks the verdict does not go on with half a residual
         return {false, "det F or the dilatation is not positive, or a stress not finite, near " +
                            where(valid ? std::nullopt : std::optional<unsigned int>(b - 1))};
       }

@@ -210,6 +210,7 @@ namespace myolines
     });
   }
 
+  /// Of ghost cells as well: owners of rows fill them without communication, as with the cells themselves.
   std::vector<SurfaceForces::Tangent> SurfaceForces::tangents(const Point &point, const bool symmetrised) const
   {
     std::vector<Tangent> all;

@@ -187,7 +187,7 @@ namespace myolines
       shared.write_head(text);
       for (std::size_t v = 0; v < all.size(); ++v)
         shared.write(begin + v * size + own, all[v].owned);
-      shared.sync();
+      shared.sync(); // what the disk cannot take is refused here, and not after the former checkpoint has gone
       require_same(shared, text, all, begin + own, size, communicator);
       shared.close();
     }
@@ -227,7 +227,7 @@ namespace myolines
         std::filesystem::rename(fresh, file, refused);
         if (refused)
           throw SystemError("write", file, refused.value());
-        sync_to_disk(file.parent_path());
+        sync_to_disk(file.parent_path()); // the name, too: until then a power cut may bring back the former file
       }
   }
 

@@ -88,6 +88,7 @@ namespace myolines
 
   bool CheckpointKeeper::time_to_write() const
   {
+    // The clock of one rank decides for all, as writing is collective.
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - written_at_).count();
     return dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD, elapsed >= seconds_);
   }

@@ -103,7 +103,7 @@ namespace myolines
     const Element     &e        = *element_;
     const RodMaterial &material = parameters_.material;
     const double      *u = point.u.begin(), *a = point.a.begin();
-    double            *force = r.begin();
+    double            *force = r.begin(); // elements share their end nodes: the next one begins n - 1 entries on
     std::fill_n(force, r.size(), 0.);
     for (unsigned int k = 0; k < parameters_.n_elements; ++k, u += e.n - 1, a += e.n - 1, force += e.n - 1)
       {

@@ -3,6 +3,7 @@
 #include <myolines/scene/markdown.h>
 #include <myolines/scene/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -127,12 +128,15 @@ namespace myolines::scene
 
   std::string markdown_text(const std::string &text)
   {
+    const bool  has_code = std::count(text.begin(), text.end(), '`') % 2 == 0;
+    bool        in_code  = false; // a bar ends a cell there too; nothing else is markup
     std::string escaped;
     for (const char c : text)
-      escaped += std::string("\\`*_$|[]~").find(c) != std::string::npos ? std::string("\\") + c
-                 : c == '<'                                             ? "&lt;"
-                 : c == '>'                                             ? "&gt;"
-                                                                        : std::string(1, c);
+      {
+        in_code ^= has_code && c == '`';
+        const bool markup = std::string(in_code ? "|" : "\\*_$|[]~").find(c) != std::string::npos || (c == '`' && !has_code);
+        escaped += markup ? std::string("\\") + c : !in_code && c == '<' ? "&lt;" : !in_code && c == '>' ? "&gt;" : std::string(1, c);
+      }
     return escaped;
   }
 

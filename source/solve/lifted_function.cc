@@ -49,7 +49,8 @@ namespace myolines
     linearised_at_ = at.stamp;
   }
 
-  /// gap_ is that of the point.
+  /// gap_ is that of the point. G becomes the residual that the free unknowns would see, to first order, with the constrained ones at their
+  /// targets: a first guess whose boundary has not moved is then judged by what its move costs.
   void LiftedFunction::add_lift(NonlinearProblem &problem, Iterate &at)
   {
     linearise(problem, at);
@@ -129,7 +130,7 @@ namespace myolines
     if (from.z.any())
       problem.advance(from.z, dz_, to.x, alpha, to.z);
     evaluate(problem, to);
-    if (to.remaining != 0 && to.evaluation.admissible)
+    if (to.remaining != 0 && to.evaluation.admissible) // (1 - alpha) J gap, with the J of the point that was lifted
       {
         to.g.add(to.remaining, lift_);
         set_norm(to);
@@ -149,7 +150,7 @@ namespace myolines
     const bool open = at.remaining != 0;
     if (open && lifted_at_ != at.stamp)
       {
-        at.g.add(-at.remaining, lift_);
+        at.g.add(-at.remaining, lift_); // of the former point, whose J is no longer that of the direction
         set_gap(problem, at.x);
         add_lift(problem, at);
       }
@@ -176,7 +177,7 @@ namespace myolines
       report = solver.solve(problem, right_, dx, std::max(goal, tightest), enough, nullptr);
     free_.distribute(dx);
     if (open)
-      dx += gap_;
+      dx += gap_; // the solve was for the free unknowns; the others go straight to their targets
     return report;
   }
 
@@ -185,7 +186,7 @@ namespace myolines
     linearise(problem, at);
     right_ = dx;
     if (at.remaining != 0)
-      right_ -= gap_;
+      right_ -= gap_; // dq alone
     right_.update_ghost_values();
     if (at.z.any())
       problem.linearisation().local()->apply_with_local(problem.weights(), right_, dz_, true_, right_z_);

@@ -151,7 +151,7 @@ namespace myolines
   }
 
   /// Residuals rise along good steps where forces across them are large: a slender body that turns is stretched to second order, which
-  /// costs far more force than its bending. Full steps are taken all the same, in the hope that the next ones make good for it.
+  /// costs far more force than its bending. Full steps are taken all the same, in the hope that the next ones make up for it.
   bool Newton::lowers(const Iterate &from, const double alpha, const Iterate &to)
   {
     const double before = waited_ > 0 ? lowest_ : from.norm;

@@ -69,11 +69,12 @@ namespace myolines
 
       void apply(const double *r, double *z) const override
       {
+        // Smoothing before and behind the coarse correction with one polynomial makes the cycle symmetric, as cg wants it.
         std::copy_n(r, r_.locally_owned_size(), r_.begin());
         z_ = 0;
         smooth();
         act(d_, Ad_);
-        r_ -= Ad_; // r - J z
+        r_ -= Ad_; // r - J z, by the last summand of z alone
         correct();
         act(z_, Ad_);
         std::copy_n(r, r_.locally_owned_size(), r_.begin());
@@ -137,6 +138,8 @@ namespace myolines
       }
 
       /// z_ += p(S J) S r_. The last summand is left in d_; r_ is the residual before it.
+      /// p by the recurrence of Chebyshev iteration (Saad, doi:10.1137/1.9780898718003, algorithm 12.1), which damps all eigenvalues of S J
+      /// between lower and upper alike; smaller ones are left to the coarse level.
       void smooth() const
       {
         const double upper = margin * levels_->patches.overlap(), lower = upper / settings_.range;

@@ -35,7 +35,7 @@ namespace myolines
       std::vector<double> inverse_;
     };
 
-    /// Measured on the active 3D muscle, see doc/performance.md.
+    /// Measured on the active 3D muscle, see doc/results/performance.md.
     PreconditionerEntry automatic_entry()
     {
       PreconditionerEntry entry;

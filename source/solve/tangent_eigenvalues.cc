@@ -28,7 +28,8 @@ namespace myolines
       throw InputError(InputProblem{"eigenvalues of the tangent", what, expected, ""});
     }
 
-    /// A vector like @p layout, zero on constrained unknowns, without pattern.
+    /// A vector like @p layout, zero on constrained unknowns, without pattern: it has a part along every eigenvector. By global numbers and
+    /// without a generator of random ones, so that equal runs find equal digits.
     Vector noise(const Vector &layout, const unsigned int number, const FreeUnknowns &free)
     {
       Vector x(layout.get_partitioner());
@@ -146,6 +147,7 @@ namespace myolines
     if (n_free < number)
       refuse("there are " + std::to_string(n_free) + " free unknowns and " + std::to_string(number) + " eigenvalues asked for", "fewer");
 
+    // y.Kx = x.Ky for two vectors without pattern: an unsymmetric K would hold that by accident only.
     const Vector x = noise(layout, 0, K.free_unknowns()), y = noise(layout, 1, K.free_unknowns());
     Vector       Kx(x), Ky(y);
     K.apply(x, Kx);

@@ -39,7 +39,7 @@ namespace myolines::study
       return run;
     }
 
-    /// Three neighbours, the scene among them: the finest that are not too dear. What is left out is noted.
+    /// Three neighbours, the scene among them: the finest that are not too expensive. What is left out is noted.
     void add_rungs(const VerifyOptions &options, const Part part, Ladder &ladder, std::vector<VerifyRun> &runs)
     {
       std::size_t finest = ladder.scene;
@@ -77,7 +77,7 @@ namespace myolines::study
           run.outcome = found->second;
     }
 
-    /// The cheapest run comes first, so that a quantity that the runs do not have is told before the dear ones.
+    /// The cheapest run comes first, so that a quantity that the runs do not have is told before the expensive ones.
     void run_all(const VerifyOptions &options, const Study &study, const std::vector<VerifiedQuantity> &quantities,
                  const std::filesystem::path &folder, std::vector<VerifyRun> &runs)
     {

@@ -261,7 +261,7 @@ namespace myolines
         if (fixed <= target + merge)
           target = fixed;
         if (!planned && target - t < 2 * proposed && target - t > proposed + merge)
-          proposed = (target - t) / 2; // rather two equal steps than a long and a very short one
+          proposed = (target - t) / 2; // rather two equal steps than a long and a tiny one
         if (t + proposed < target - merge)
           target = t + proposed;
         return {target, exact_difference(t, target)};

@@ -64,7 +64,9 @@ namespace myolines
   {
     const Vector guess(d);
     StageProblem problem(*work_, stage, point, d, true);
-    const bool   bold = problem.predicts() || problem.patience() > 0;
+    // Bold: from the displacement that belongs to the first velocities, with residuals that may rise on the way. That saves iterations in
+    // most steps; where it leads nowhere the same stage is solved once more without either.
+    const bool bold = problem.predicts() || problem.patience() > 0;
     if (problem.predicts())
       problem.predict(d);
     NonlinearReport report = solver_.solve(problem, d);

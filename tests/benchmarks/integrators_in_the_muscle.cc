@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The table of integrators in the muscle: error, ringing and cost of every scheme and number of steps on the kinked block, each beside
-// what the study of tests/data/integrators_3d.csv found. doc/integrators_in_the_muscle.md shows it.
+// what the study of tests/data/integrators_3d.csv found. doc/results/integrators_in_the_muscle.md shows it.
 //   integrators_in_the_muscle REFINEMENT [STEPS_OF_REFERENCE [DATA_FOR_GNUPLOT [PATH=VALUE...]]]
 // Exit code 1: a number of ours is not that of the study to the digits printed there. Such numbers are bold.
 

@@ -74,7 +74,7 @@ TEST(Readme, ItsCommandLinesWork)
 
 TEST(Tutorials, TheirCommandLinesWork)
 {
-  for (const std::string page : {"first_muscle", "own_muscle", "is_it_right", "compare_methods", "extend"})
+  for (const std::string page : {"first_muscle", "own_muscle", "is_it_right", "compare_methods", "conserving_methods", "extend"})
     {
       SCOPED_TRACE(page);
       const TestFolder folder;

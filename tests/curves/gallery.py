@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Runs the bodies of doc/gallery.md, draws them, and writes the page.
+"""Runs the bodies of doc/results/gallery.md, draws them, and writes the page.
 
 gallery.py MYOLINES FOLDER        runs in FOLDER; what is there already is not run again
 """
@@ -54,11 +54,11 @@ def main(program, folder):
             file = f"gallery_{name}{'_' + str(number + 1) if number else ''}.png"
             made = [each for each in os.listdir(out) if each.endswith(".png")]
             shutil.copy(os.path.join(out, made[0]), os.path.join(ROOT, "doc", "pictures", file))
-            text.append(f"![{name}](pictures/{file})\n")
+            text.append(f"![{name}](../pictures/{file})\n")
         shown = " ".join(f"--set \"{each}\"" for each in settings)
         first = " ".join(pictures[0])
         text.append(f"```sh\nmyolines run {scene} --out {name} \\\n  {shown}\nmyolines picture {name} {first}\n```\n")
-    with open(os.path.join(ROOT, "doc", "gallery.md"), "w", encoding="utf-8") as page:
+    with open(os.path.join(ROOT, "doc", "results", "gallery.md"), "w", encoding="utf-8") as page:
         page.write("\n".join(text))
 
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# study_pictures.sh PROGRAM SOURCE RESULTS: runs the studies behind doc/kinks.md and doc/stability.md in RESULTS, where a study that is done is not
+# study_pictures.sh PROGRAM SOURCE RESULTS: runs the studies behind doc/results/kinks.md and doc/results/stability.md in RESULTS, where a study that is done is not
 # run again, and puts the pictures of these pages, and the forces of doc/muscle_tendon_units.md, into SOURCE/doc/pictures.
 set -eu
 program=$1 source=$2 results=$3

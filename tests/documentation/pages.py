@@ -7,8 +7,10 @@ pages.py ROOT [--program MYOLINES] [--list]
 - Words and turns of FORBIDDEN occur nowhere outside code; those of DEFINED only if the glossary defines them.
 - Sentences of a page have at most 25 words on average, tables and code aside. --list prints the averages.
 - Links lead to files that exist, and behind a # to a heading there.
-- Paths in backticks that begin with a folder of the repository exist.
-- Files and names of the code do not have the word peer, which was Flexodeal.
+- Paths in backticks that begin with a folder of the repository exist, and so do the headers of doc/interface.md.
+- A page of doc/results says on top when and from which commit it was measured, and the table of doc/results/index.md has it.
+- Files and names of the code do not have the word peer, which was Flexodeal, and comments none of the FORBIDDEN.
+- Numbers in the table of doc/which_method.md stand on the pages that it names.
 - With a program: commands and options that a page names are known to it.
 
 Prints what is wrong, one line each; exit code 1 if there is anything.
@@ -46,6 +48,7 @@ DEFINED = ["kink", "waist", "ledger", "lift", "land on", "slab", "overshoot", "r
            "room", "registry", "plug-in", "manifest", "checkpoint", "cut", "independent program", "errata N", "the thesis", "rank"]
 AVERAGE = 25
 FOLDERS = ("input", "integrators", "boundary", "outputs", "source", "include", "tests", "examples", "doc", "cmake")
+MEASURED = re.compile(r"^\*(Measured|Counted|Drawn) \d{4}-\d\d-\d\d[^*]*\bcommits? [0-9a-f]{7}\b[^*]*\b(commands?|tests)\b[^*]*\*$", re.M)
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 
 
@@ -117,9 +120,15 @@ def look_at_words(page, text, defined):
 def look_at_code(root):
     """Names of files and what stands in them, where readers of the code meet it."""
     files = [path for folder in FOLDERS for path in glob.glob(os.path.join(root, folder, "**/*"), recursive=True)]
-    texts = {path: os.path.relpath(path, root) + (read(path) if path.endswith((".h", ".cc")) else "") for path in files}
-    return [f'{os.path.relpath(path, root)}: "peer"; say: Flexodeal' for path, text in texts.items()
-            if re.search("peer", text, re.I)]
+    texts = {path: read(path) if path.endswith((".h", ".cc")) else "" for path in files}
+    found = [f'{os.path.relpath(path, root)}: "peer"; say: Flexodeal' for path, text in texts.items()
+             if re.search("peer", os.path.relpath(path, root) + text, re.I)]
+    for path, text in texts.items():
+        if not os.path.relpath(path, root).startswith("tests"):
+            comments = "\n".join(re.findall(r"//(.*)", text))
+            found += [f'{os.path.relpath(path, root)}: "{match.group()}" in a comment; say: {instead}'
+                      for turn, instead in FORBIDDEN.items() for match in [re.search(turn, comments, re.I)] if match]
+    return found
 
 
 def look_at_links(root, page, text):
@@ -136,8 +145,37 @@ def look_at_links(root, page, text):
     for match in re.finditer(r"`([\w./-]+)`", text):
         path = match.group(1)
         file_or_folder = "." in os.path.basename(path) or path.endswith("/")
-        if file_or_folder and path.split("/")[0] in FOLDERS and "/" in path and not glob.glob(os.path.join(root, path) + "*") and "my_" not in path:
+        header = re.fullmatch(r"\w+/\w+\.h", path) and os.path.exists(os.path.join(root, "include/myolines", path))
+        if file_or_folder and path.split("/")[0] in FOLDERS and "/" in path and not header and not glob.glob(os.path.join(root, path) + "*") and "my_" not in path:
             found.append(f"{page}:{line_of(text, match.start())}: there is no {path}")
+        if page == "doc/interface.md" and re.fullmatch(r"\w+/\w+\.h", path) and not header:
+            found.append(f"{page}:{line_of(text, match.start())}: there is no header {path}")
+    return found
+
+
+def look_at_results(root, page, text):
+    name = os.path.basename(page)
+    if os.path.dirname(page) != "doc/results" or name == "index.md":
+        return []
+    found = []
+    if not MEASURED.search("\n".join(text.split("\n")[:8])):
+        found.append(f"{page}: does not say on top when, from which commit and by which command it was measured")
+    if f"]({name})" not in read(os.path.join(root, "doc/results/index.md")):
+        found.append(f"doc/results/index.md: has no row for {name}")
+    return found
+
+
+def look_at_numbers(root, page, text):
+    """The table of doc/which_method.md: every number stands on the page that is named behind it."""
+    found = []
+    if page != "doc/which_method.md":
+        return found
+    for row in re.findall(r"^\|.*\|$", text, re.M):
+        for claim, target in re.findall(r"([^()|]*)\(\[[^\]]*\]\(([^)#]+)[^)]*\)\)", row):
+            source = read(os.path.join(root, "doc", target))
+            for number in re.findall(r"(?<![\w.])\d[\d,]*(?:\.\d+)?(?:e-?\d+)?(?![\w])", claim):
+                if not re.search(rf"(?<![\w.]){re.escape(number)}(?![\w.]*\d)", source):
+                    found.append(f"{page}: {target} does not have the number {number} of \"{claim.strip()}\"")
     return found
 
 
@@ -179,7 +217,7 @@ def main():
         if given.list:
             counts = sentences(text)
             print(f"{sum(counts) / max(1, len(counts)):5.1f} {max(counts, default=0):4d} {page}")
-        found += look_at_words(page, text, defined) + look_at_links(given.root, page, text)
+        found += look_at_words(page, text, defined) + look_at_links(given.root, page, text) + look_at_results(given.root, page, text) + look_at_numbers(given.root, page, text)
         if known:
             found += look_at_commands(page, text, known)
     for line in found:

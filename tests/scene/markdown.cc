@@ -27,6 +27,12 @@ namespace myolines::scene
                                                "| `where` | A formula, for example \"x\\|y\". |  | text | none | `x\\|y` |\n\n");
     }
 
+    TEST(Markdown, LeavesCodeInTextsAsItIs)
+    {
+      EXPECT_EQ(markdown_text("See `plot a_b|c > d` of x_1."), "See `plot a_b\\|c > d` of x\\_1.");
+      EXPECT_EQ(markdown_text("One ` alone < two."), "One \\` alone &lt; two.");
+    }
+
     TEST(Markdown, GivesListsTheirPathsAndNamesPagesOfTheirOwn)
     {
       Schema inner("Inner."), other("Other."), outer, linear("Linear.");

@@ -9,10 +9,10 @@ namespace myolines
   class BandMatrix
   {
   public:
-    BandMatrix(unsigned int size, unsigned int bandwidth);
+    BandMatrix(unsigned int size, unsigned int bandwidth); ///< Zero.
 
-    unsigned int size() const { return size_; }
-    unsigned int bandwidth() const { return bandwidth_; }
+    unsigned int size() const { return size_; }           ///< Number of rows, which is that of columns.
+    unsigned int bandwidth() const { return bandwidth_; } ///< Largest |i - j| that has an entry.
 
     /// All entries zero, and no factors any more.
     void clear();

@@ -11,6 +11,7 @@ namespace myolines
   class CurrentGhosts
   {
   public:
+    /// Of @p x, which outlives the object. Without @p wanted its ghosts are taken as they are. Collective.
     explicit CurrentGhosts(const Vector &x, const bool wanted = true)
       : x_(x)
     {
@@ -21,8 +22,8 @@ namespace myolines
         }
     }
 
-    const Vector &vector() const { return copy_ ? *copy_ : x_; }
-    const double *begin() const { return vector().begin(); }
+    const Vector &vector() const { return copy_ ? *copy_ : x_; } ///< The vector with its ghosts.
+    const double *begin() const { return vector().begin(); }     ///< Its first entry; that with local number i stands i behind.
 
   private:
     const Vector           &x_;
@@ -33,6 +34,7 @@ namespace myolines
   class MiddleOfStep
   {
   public:
+    /// @p u_0 may be nullptr. The vectors outlive the object. Collective.
     MiddleOfStep(const Vector &u_1, const Vector *u_0)
       : end_(u_1)
     {
@@ -44,7 +46,7 @@ namespace myolines
       middle_->update_ghost_values();
     }
 
-    const Vector &vector() const { return middle_ ? *middle_ : end_; }
+    const Vector &vector() const { return middle_ ? *middle_ : end_; } ///< The middle, or the end where there is no beginning.
 
   private:
     const Vector           &end_;

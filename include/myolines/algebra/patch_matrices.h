@@ -42,6 +42,7 @@ namespace myolines
         open(p);
       return matrices_[p];
     }
+    /// Offset of entry (i, j), i >= j, in a lower triangle row by row.
     static std::size_t place(const unsigned int i, const unsigned int j) { return std::size_t(i) * (i + 1) / 2 + j; }
 
     /// Nothing more is added to patch @p p. Its memory is free for others once that holds for those beside it, which are patches of about
@@ -58,7 +59,7 @@ namespace myolines
     /// Largest number of patches, on any rank, that share an unknown.
     double overlap() const { return overlap_; }
 
-    unsigned int n_patches() const { return static_cast<unsigned int>(group_of_.size()); }
+    unsigned int n_patches() const { return static_cast<unsigned int>(group_of_.size()); } ///< On this rank.
 
     /// Bytes held.
     std::size_t memory() const;

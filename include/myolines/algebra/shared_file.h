@@ -22,13 +22,14 @@ namespace myolines
   class SharedFile
   {
   public:
+    /// What the file is opened for.
     enum class Mode
     {
-      read,
-      write_anew
+      read,      ///< one that is there
+      write_anew ///< emptied if it is there
     };
 
-    SharedFile(const std::filesystem::path &path, MPI_Comm communicator, Mode mode);
+    SharedFile(const std::filesystem::path &path, MPI_Comm communicator, Mode mode); ///< Opens the file at @p path.
 
     /// Writes @p text at the beginning, on the first rank.
     void write_head(const std::string &text);
@@ -36,6 +37,7 @@ namespace myolines
     /// Writes texts at their places and makes the file @p size bytes long, on the first rank.
     void write_pieces(const std::vector<std::pair<std::size_t, std::string>> &pieces, std::size_t size);
 
+    /// Writes this rank's @p values from byte @p begin on.
     template <typename Number>
     void write(const std::size_t begin, const std::vector<Number> &values)
     {
@@ -53,7 +55,7 @@ namespace myolines
 
     /// Returns once everything is on the disk itself.
     void sync();
-    void close();
+    void close(); ///< tells what the destructor would not: some systems refuse at the end only
 
   private:
     /// As on_all_ranks(); what was to be written is removed if it cannot be.

@@ -12,14 +12,14 @@ namespace myolines
   class Checksum
   {
   public:
-    void add(const void *data, std::size_t bytes);
-    void add(const std::string &text) { add(text.data(), text.size()); }
+    void add(const void *data, std::size_t bytes);                       ///< Goes on with @p bytes bytes at @p data.
+    void add(const std::string &text) { add(text.data(), text.size()); } ///< Goes on with the bytes of @p text.
 
     /// Goes on with @p bytes bytes whose own checksum is @p value.
     void add_part(std::uint32_t value, std::size_t bytes);
 
-    std::uint32_t value() const { return value_; }
-    std::string   text() const; ///< eight hexadecimal digits
+    std::uint32_t value() const { return value_; } ///< Of all that was added so far.
+    std::string   text() const;                    ///< eight hexadecimal digits
 
   private:
     std::uint32_t value_ = 0;

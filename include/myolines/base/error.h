@@ -14,7 +14,7 @@ namespace myolines
     std::string where;    ///< file, and path of the parameter inside it ("scene.xml: time/step")
     std::string what;     ///< what is wrong, with the offending value
     std::string expected; ///< what would have been right (type, range, unit); may be empty
-    std::string hint;     ///< how to mend it, e.g. the nearest valid name; may be empty
+    std::string hint;     ///< how to mend it, such as the nearest valid name; may be empty
   };
 
   /// Invalid input: the program ends with exit code 2 and prints every problem.
@@ -34,14 +34,14 @@ namespace myolines
   class SolveError : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    using std::runtime_error::runtime_error; ///< @p what: the reason, as a sentence for the user
   };
 
   /// A run that was asked to stop before its end: the program ends as after a failed solve, the state being saved.
   class Interrupted : public std::runtime_error
   {
   public:
-    using std::runtime_error::runtime_error;
+    using std::runtime_error::runtime_error; ///< @p what: the reason, as a sentence for the user
   };
 
   /// The system refused what the program needs (disk full, input or output error, permission, memory): the program ends with exit code 4.
@@ -62,10 +62,10 @@ namespace myolines
   /// Exit codes of the program.
   enum class ExitCode
   {
-    done           = 0,
-    internal_error = 1,
-    invalid_input  = 2,
-    solve_failed   = 3, ///< also a run that was stopped by a signal
-    system_refused = 4
+    done           = 0, ///< the command has done what it was asked for
+    internal_error = 1, ///< a fault of the program
+    invalid_input  = 2, ///< an InputError
+    solve_failed   = 3, ///< a SolveError; also a run that was stopped by a signal
+    system_refused = 4  ///< a SystemError
   };
 } // namespace myolines

@@ -14,22 +14,23 @@ namespace myolines
   class File
   {
   public:
+    /// What the file is opened for.
     enum class Mode
     {
-      read,
+      read,       ///< one that is there
       write,      ///< one that is there, or is made
       write_anew, ///< emptied if it is there
-      append
+      append      ///< after what is there
     };
-    File(const std::filesystem::path &path, Mode mode);
-    ~File();
-    File(File &&) noexcept;
-    File &operator=(File &&) noexcept;
+    File(const std::filesystem::path &path, Mode mode); ///< Opens the file at @p path.
+    ~File();                                            ///< Closes it and tells nothing.
+    File(File &&) noexcept;                             ///< What is moved from is closed.
+    File &operator=(File &&) noexcept;                  ///< Closes what it had open, then takes the other file over.
 
     /// At the end of what was written before, in the mode `append` of the file.
     void write(const std::string &text);
 
-    void write_at(std::size_t begin, const void *data, std::size_t bytes);
+    void write_at(std::size_t begin, const void *data, std::size_t bytes); ///< @p bytes bytes from byte @p begin on.
 
     /// False if the file ends before.
     bool read_at(std::size_t begin, void *data, std::size_t bytes) const;
@@ -37,12 +38,12 @@ namespace myolines
     /// Begin and end of the parts that are no holes [bytes]; between them the file reads as zeros.
     std::vector<std::pair<std::size_t, std::size_t>> written_parts() const;
 
-    std::size_t size() const; ///< [bytes]
-    void        resize(std::size_t bytes);
-    void        sync();  ///< returns once everything is on the disk itself
-    void        close(); ///< tells what the destructor would not: some systems refuse at the end only
+    std::size_t size() const;              ///< [bytes]
+    void        resize(std::size_t bytes); ///< cut, or longer by zeros
+    void        sync();                    ///< returns once everything is on the disk itself
+    void        close();                   ///< tells what the destructor would not: some systems refuse at the end only
 
-    const std::filesystem::path &path() const { return path_; }
+    const std::filesystem::path &path() const { return path_; } ///< As it was opened.
 
   private:
     std::filesystem::path path_;

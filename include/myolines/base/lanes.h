@@ -9,8 +9,8 @@ namespace myolines
   enum class InstructionSet
   {
     baseline, ///< what every x86-64 (or other) processor has
-    avx2,
-    avx512
+    avx2,     ///< 256 bits, 4 doubles
+    avx512    ///< 512 bits, 8 doubles
   };
 
   /// The widest instruction set of this processor that kernels are compiled for.
@@ -30,28 +30,33 @@ namespace myolines
   template <InstructionSet isa, typename Real = double, int n = n_lanes>
   struct Lanes
   {
-    static constexpr int size    = n;
+    static constexpr int size = n; ///< numbers
+    /// of a register of the instruction set
     static constexpr int bytes   = isa == InstructionSet::avx512 ? 64 : isa == InstructionSet::avx2 ? 32 : 16;
-    static constexpr int width   = bytes / sizeof(Real) < n ? bytes / sizeof(Real) : n;
-    static constexpr int n_parts = n / width;
-    typedef Real         Vec __attribute__((vector_size(width * sizeof(Real))));
-    using Integer = std::conditional_t<sizeof(Real) == 8, long, int>;
-    typedef Integer Bits __attribute__((vector_size(width * sizeof(Real))));
+    static constexpr int width   = bytes / sizeof(Real) < n ? bytes / sizeof(Real) : n; ///< numbers in one register
+    static constexpr int n_parts = n / width;                                           ///< registers for all numbers
+    typedef Real         Vec __attribute__((vector_size(width * sizeof(Real))));        ///< One register of numbers.
+    using Integer = std::conditional_t<sizeof(Real) == 8, long, int>;                   ///< The integer as wide as a Real.
+    typedef Integer Bits __attribute__((vector_size(width * sizeof(Real)))); ///< One register of truth values: all bits set, or none.
+    /// The result of a comparison, lane by lane.
     struct Mask
     {
-      Bits part[n_parts];
+      Bits part[n_parts]; ///< the lanes, in registers
     };
-    Vec part[n_parts];
+    Vec part[n_parts]; ///< the lanes, in registers
 
-    MYOLINES_INLINE Lanes() {} // uninitialised, like a double
+    MYOLINES_INLINE Lanes() {} ///< uninitialised, like a double
+    /// The same number in every lane.
     MYOLINES_INLINE Lanes(const Real x)
     {
       for (int p = 0; p < n_parts; ++p)
         part[p] = Vec{} + x;
     }
-    MYOLINES_INLINE Real operator[](const int lane) const { return part[lane / width][lane % width]; }
-    MYOLINES_INLINE void set(const int lane, const Real x) { part[lane / width][lane % width] = x; }
+    MYOLINES_INLINE Real operator[](const int lane) const { return part[lane / width][lane % width]; } ///< The number of a lane.
+    MYOLINES_INLINE void set(const int lane, const Real x) { part[lane / width][lane % width] = x; }   ///< Puts a number into a lane.
 
+    ///@{
+    /// Arithmetic and comparisons, lane by lane.
     MYOLINES_INLINE Lanes &operator+=(const Lanes &b) { return *this = *this + b; }
     MYOLINES_INLINE Lanes &operator-=(const Lanes &b) { return *this = *this - b; }
     MYOLINES_INLINE Lanes &operator*=(const Lanes &b) { return *this = *this * b; }
@@ -85,17 +90,22 @@ namespace myolines
       return compare([&](const int p) { return a.part[p] <= b.part[p]; });
     }
     friend MYOLINES_INLINE Mask operator>(const Lanes &a, const Lanes &b) { return b < a; }
+    ///@}
 
+    /// Lane by lane @p yes where the mask is set, else @p no. Both are evaluated.
     friend MYOLINES_INLINE Lanes select(const Mask &where, const Lanes &yes, const Lanes &no)
     {
       return each([&](const int p) { return where.part[p] ? yes.part[p] : no.part[p]; });
     }
+    ///@{
+    /// As of a double, lane by lane.
     friend MYOLINES_INLINE Lanes sqrt(const Lanes &x) { return x.map(__builtin_sqrt); }
     friend MYOLINES_INLINE Lanes cbrt(const Lanes &x) { return x.map(__builtin_cbrt); }
     friend MYOLINES_INLINE Lanes exp(const Lanes &x) { return x.map(__builtin_exp); }
     friend MYOLINES_INLINE Lanes log(const Lanes &x) { return x.map(__builtin_log); }
     friend MYOLINES_INLINE Lanes sin(const Lanes &x) { return x.map(__builtin_sin); }
     friend MYOLINES_INLINE Lanes cos(const Lanes &x) { return x.map(__builtin_cos); }
+    ///@}
 
     /// f of a double, lane by lane; f is no inline function, which would be compiled for a wide instruction set only.
     template <typename Function>
@@ -132,6 +142,8 @@ namespace myolines
   };
 
   // The same vocabulary for a plain double, so that pointwise laws are written once.
+  ///@{
+  /// The same vocabulary for a plain double, so that pointwise laws are written once.
   MYOLINES_INLINE double select(const bool where, const double yes, const double no) { return where ? yes : no; }
   MYOLINES_INLINE double sqrt(const double x) { return __builtin_sqrt(x); }
   MYOLINES_INLINE double cbrt(const double x) { return __builtin_cbrt(x); }
@@ -139,4 +151,5 @@ namespace myolines
   MYOLINES_INLINE double log(const double x) { return __builtin_log(x); }
   MYOLINES_INLINE double sin(const double x) { return __builtin_sin(x); }
   MYOLINES_INLINE double cos(const double x) { return __builtin_cos(x); }
+  ///@}
 } // namespace myolines

@@ -15,22 +15,25 @@ namespace myolines
   class Registry
   {
   public:
-    using value_type = Entry;
+    using value_type = Entry; ///< As containers of the standard library name it.
 
     /// @p kind is the word for one of them, for messages: "integrator".
     Registry(std::string kind, std::deque<Entry> built_in)
       : kind_(std::move(kind))
       , entries_(std::move(built_in))
     {}
-    Registry(const Registry &)            = delete;
+    Registry(const Registry &)            = delete; ///< References to entries stay valid, so there are no copies.
     Registry &operator=(const Registry &) = delete;
 
-    const std::string &kind() const { return kind_; }
+    const std::string &kind() const { return kind_; } ///< The word for one of them.
 
+    ///@{
+    /// The entries, in their order.
     auto         begin() const { return entries_.begin(); }
     auto         end() const { return entries_.end(); }
     std::size_t  size() const { return entries_.size(); }
     const Entry &operator[](const std::size_t i) const { return entries_[i]; }
+    ///@}
 
     /// nullptr: there is none of that name.
     const Entry *find(const std::string &name) const

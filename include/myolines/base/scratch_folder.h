@@ -9,12 +9,12 @@ namespace myolines
   class ScratchFolder
   {
   public:
-    ScratchFolder(); ///< @throws SystemError
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder &)            = delete;
+    ScratchFolder();                                          ///< @throws SystemError
+    ~ScratchFolder();                                         ///< Removes the folder with all that is in it.
+    ScratchFolder(const ScratchFolder &)            = delete; ///< The folder has one owner.
     ScratchFolder &operator=(const ScratchFolder &) = delete;
 
-    const std::filesystem::path &path() const { return path_; }
+    const std::filesystem::path &path() const { return path_; } ///< Where it is.
 
   private:
     std::filesystem::path path_;

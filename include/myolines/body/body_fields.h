@@ -37,18 +37,21 @@ namespace myolines
     /// What the file knows of a place; nothing where it has no such column.
     struct Row
     {
-      std::optional<double>                stress, fat, activation_scale, matrix;
-      std::optional<std::array<double, 3>> direction; ///< unit
-      std::optional<unsigned int>          tissue;    ///< material id
+      std::optional<double>                stress;           ///< maximum isometric stress [Pa]
+      std::optional<double>                fat;              ///< fraction, 0 to 1
+      std::optional<double>                activation_scale; ///< factor of the activation
+      std::optional<double>                matrix;           ///< fraction of extracellular matrix, 0 to 1
+      std::optional<std::array<double, 3>> direction;        ///< unit
+      std::optional<unsigned int>          tissue;           ///< material id
     };
     /// What the file has for @p x, and how far from there [m].
     std::pair<Row, double> nearest(const dealii::Point<3> &x) const;
-    bool                   has_fat() const;
+    bool                   has_fat() const;        ///< whether it has fractions of fat
     bool                   has_matrix() const;     ///< whether it has fractions of extracellular matrix
     bool                   has_directions() const; ///< of fibres
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;
-    const std::filesystem::path     &file() const;
+    const std::filesystem::path     &file() const; ///< where they come from
 
     /// How the file keeps its rows.
     class Source;
@@ -60,7 +63,8 @@ namespace myolines
   /// Fibres along the gradient of a potential that is 0 on one face and 1 on another.
   struct FibresBetweenFaces
   {
-    unsigned int from, to; ///< boundary ids
+    unsigned int from; ///< boundary id of the face where the potential is 0
+    unsigned int to;   ///< of that where it is 1
   };
 
   /// What varies within the body: formulas of x, y, z and volume, of the tissue and then for muscle, and a table for all tissues, which
@@ -74,9 +78,10 @@ namespace myolines
     std::string                            tissue;           ///< material id of the tissue; "": that of the cell
     std::array<std::string, 3>             direction;        ///< fibre direction, to be normalised; "": that of the tissue
     std::vector<std::string>               regions; ///< of activation: places where the formula is positive; later ones cover earlier
-    std::optional<FibresBetweenFaces>      laplace;
-    std::shared_ptr<const PointProperties> table;
+    std::optional<FibresBetweenFaces>      laplace; ///< fibres along the gradient of a potential
+    std::shared_ptr<const PointProperties> table;   ///< properties from a file
 
+    /// Whether there is any formula.
     bool formulas() const
     {
       return !stress.empty() || !fat.empty() || !activation_scale.empty() || !matrix.empty() || !tissue.empty() || !direction[0].empty() ||
@@ -86,24 +91,26 @@ namespace myolines
     bool within_muscle() const { return formulas() || laplace; }
     /// Whether any tissue may differ from place to place.
     bool of_all_tissues() const { return table || !tissue.empty(); }
-    bool any() const { return within_muscle() || table; }
-    bool has_fat() const { return !fat.empty() || (table && table->has_fat()); }
-    bool has_matrix() const { return !matrix.empty() || (table && table->has_matrix()); }
+    bool any() const { return within_muscle() || table; }                                 ///< Whether anything varies.
+    bool has_fat() const { return !fat.empty() || (table && table->has_fat()); }          ///< Whether there may be fat.
+    bool has_matrix() const { return !matrix.empty() || (table && table->has_matrix()); } ///< Whether there may be extracellular matrix.
   };
 
   /// Declaration of the list `fields`, and its reading (without directions).
   scene::Schema fields_schema();
-  BodyFields    read_fields(const scene::Node &node);
+  BodyFields    read_fields(const scene::Node &node); ///< Reads that list.
 
   /// The material at points of a body with fields.
   class MaterialField
   {
   public:
+    /// Borrows both. @throws InputError for formulas that cannot be read.
     MaterialField(const BodyFields &fields, const std::map<unsigned int, TissueParameters> &tissues);
 
+    /// What the fields make of a point.
     struct AtPoint
     {
-      Material    material;
+      Material    material; ///< see MaterialValue
       double      distance; ///< to the row of the table [m]; 0 without one
       std::string problem;  ///< what the fields get wrong there, where the material does not tell; else empty
     };

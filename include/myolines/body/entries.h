@@ -17,7 +17,8 @@ namespace myolines
   /// Declares three formulas of x, y, z [m] and t [s] (or @p fourth), named prefix + axis, default "0".
   void add_formulas(scene::Schema &schema, const std::string &prefix, const std::string &what, const std::string &fourth = "t [s]");
   /// The text of @p parameter. @throws InputError for what is not one formula of x, y, z and @p fourth (VectorFormula).
-  std::string                read_formula(const scene::Node &node, const std::string &parameter, const std::string &fourth);
+  std::string read_formula(const scene::Node &node, const std::string &parameter, const std::string &fourth);
+  /// Those of add_formulas(). @throws InputError
   std::array<std::string, 3> read_formulas(const scene::Node &node, const std::string &prefix, const std::string &fourth = "t");
 
   /// Metres per unit of length: of its name (m, cm, mm, um, ...) or as a number. @throws InputError

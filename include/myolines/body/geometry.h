@@ -28,7 +28,7 @@ namespace myolines
     double fibre_length() const;      ///< L_f [m]
     /// a0 of fibres of the muscle and of the aponeurosis.
     std::array<double, 3> fibre_direction() const;
-    std::array<double, 3> aponeurosis_direction() const;
+    std::array<double, 3> aponeurosis_direction() const; ///< the latter
   };
 
   /// The reference body and its mesh. A block is a box with one corner at the origin.
@@ -37,11 +37,11 @@ namespace myolines
     std::array<double, 3>       size{{0.03, 0.01, 0.01}}; ///< length along the line of action x, width, height [m]
     std::array<unsigned int, 3> cells{{1, 1, 1}};         ///< coarse cells per direction
     unsigned int                refinement = 3;           ///< global refinements of the coarse cells
-    double       distortion = 0;        ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
-    std::string  tissue     = "muscle"; ///< of a block, and its material id
-    unsigned int tissue_id  = muscle_id;
-    std::optional<Gastrocnemius>    gastrocnemius;
-    std::shared_ptr<const MeshBody> mesh; ///< with neither: a block
+    double       distortion = 0;         ///< of a block: largest shift of a vertex per direction, in parts of a cell; see distort_block()
+    std::string  tissue     = "muscle";  ///< of a block, and its material id
+    unsigned int tissue_id  = muscle_id; ///< that id
+    std::optional<Gastrocnemius>    gastrocnemius; ///< the body, if it is one
+    std::shared_ptr<const MeshBody> mesh;          ///< with neither: a block
   };
 
   /// Names of the faces by number. Of a block: x-, x+, y-, y+, z-, z+. Of the gastrocnemius: x- and x+ are the ends of the lower and
@@ -66,5 +66,5 @@ namespace myolines
 
   /// Declaration of the list `geometry`, and its reading. @throws InputError for angles that close no triangle.
   scene::Schema geometry_schema();
-  Geometry      read_geometry(const scene::Node &node, const TissueNames &tissues);
+  Geometry      read_geometry(const scene::Node &node, const TissueNames &tissues); ///< Reads that list.
 } // namespace myolines

@@ -15,13 +15,14 @@ namespace myolines
   /// interpolated at the nodes.
   struct InitialMotion
   {
-    std::optional<std::array<std::string, 3>> displacement, velocity; ///< [m], [m/s], of x, y, z, t; nullopt: 0
+    std::optional<std::array<std::string, 3>> displacement; ///< [m], formulas of x, y, z, t; nullopt: 0
+    std::optional<std::array<std::string, 3>> velocity;     ///< [m/s], likewise
   };
 
   /// Declaration of the list `initial motion`, and its reading. @throws InputError for malformed formulas, and for velocities of a body
   /// without inertia.
   scene::Schema initial_motion_schema();
-  InitialMotion read_initial_motion(const scene::Node &node, bool dynamic);
+  InitialMotion read_initial_motion(const scene::Node &node, bool dynamic); ///< Reads that list.
 
   /// u and v of the nodes of this rank at time state.t.
   void set_initial_motion(const InitialMotion &motion, const NodeSpace &space, State &state);

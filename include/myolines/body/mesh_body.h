@@ -20,29 +20,30 @@ namespace myolines
   /// A face by its place: the quadrilaterals of the boundary of which all that is given is true.
   struct PlacedFace
   {
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static constexpr double infinity = std::numeric_limits<double>::infinity(); ///< no bound
 
-    std::string                         name;
+    std::string                         name;       ///< that the scene gives it
     std::string                         scene_path; ///< for messages
     std::optional<dealii::Tensor<1, 3>> normal;     ///< the outward normal is within the angle of this direction, unit
     double                              angle = 30; ///< [degree]
     std::optional<dealii::Point<3>>     through;    ///< all corners lie on the plane through it, across the normal [m]
     std::optional<double>               tolerance;  ///< of their distance from that plane [m]; none: size / 1000
-    dealii::Point<3>                    low{-infinity, -infinity, -infinity}, ///< box with the centre in it [m]
-        high{infinity, infinity, infinity};
+    dealii::Point<3>                    low{-infinity, -infinity, -infinity}; ///< box with the centre in it [m]: least coordinates
+    dealii::Point<3>                    high{infinity, infinity, infinity};   ///< and greatest
   };
 
   /// The body of a mesh file: hexahedra, checked, whatever the file has.
   struct MeshBody
   {
-    std::vector<dealii::Point<3>>       vertices; ///< [m]
-    std::vector<dealii::CellData<3>>    cells;    ///< material ids are those of CellId
-    dealii::SubCellData                 faces;    ///< boundary ids are places in face_names
-    std::vector<std::string>            face_names;
+    std::vector<dealii::Point<3>>       vertices;      ///< [m]
+    std::vector<dealii::CellData<3>>    cells;         ///< material ids are those of CellId
+    dealii::SubCellData                 faces;         ///< boundary ids are places in face_names
+    std::vector<std::string>            face_names;    ///< by number; see face_names()
     std::size_t                         n_named = 0;   ///< of the faces: those of the file and by place; the other one is the rest
     std::map<std::string, unsigned int> further_names; ///< of faces that have several
     std::vector<std::string>            tissues;       ///< by name
-    dealii::Point<3>                    low, high;     ///< corners of the box around it
+    dealii::Point<3>                    low;           ///< corner of the box around it with the least coordinates [m]
+    dealii::Point<3>                    high;          ///< corner with the greatest [m]
     double                              volume = 0;    ///< [m^3]
     double                   worst = 1; ///< smallest scaled Jacobian of a cell: the determinant at a corner over the lengths of its edges
     std::vector<std::string> report;    ///< lines for `check`

@@ -21,10 +21,10 @@ namespace myolines
   /// What the making of a condition may look at.
   struct BoundaryReading
   {
-    BoundaryFacts     facts; ///< name, face, place in the scene, end
-    const Geometry   &geometry;
-    const LineChoice &line;
-    bool              dynamic;
+    BoundaryFacts     facts;    ///< name, face, place in the scene, end
+    const Geometry   &geometry; ///< the body
+    const LineChoice &line;     ///< of action
+    bool              dynamic;  ///< whether the system has velocities
   };
 
   /// A kind of condition: what its file in `boundary/` gives to the list of all.
@@ -35,23 +35,24 @@ namespace myolines
     scene::Schema            schema;  ///< of its parameters, beside face and type
     std::vector<std::string> example; ///< "force=2": with them there is one that does all it can, on any face of any body
 
-    std::function<std::shared_ptr<const BoundaryCondition>(const scene::Node &, BoundaryReading)> make;
+    std::function<std::shared_ptr<const BoundaryCondition>(const scene::Node &, BoundaryReading)> make; ///< of its list. @throws InputError
   };
 
-  inline const std::string &name_of(const BoundaryEntry &entry) { return entry.name; }
+  inline const std::string &name_of(const BoundaryEntry &entry) { return entry.name; } ///< For Registry.
 
   /// All kinds, in the order of `boundary/list.def`, then those of plug-ins.
   Registry<BoundaryEntry> &boundary_registry();
-  /// @throws std::out_of_range
+  /// The kind of that name. @throws std::out_of_range
   const BoundaryEntry &boundary_entry(const std::string &name);
 
   /// Declaration of the list `boundary`, and its reading. @throws InputError for what ranges cannot express (unknown face or
   /// component, a direction of length zero, two conditions that prescribe the same component of the same face, malformed formulas).
   /// @p given: what the scene says of the line of action, from which directions that it leaves open follow for a mesh.
-  scene::Schema      boundary_schema();
+  scene::Schema boundary_schema();
+  /// Reads that list.
   BoundaryConditions read_boundary(const scene::Node &node, const Geometry &geometry, const LineGiven &given, bool dynamic);
 
-  std::vector<BoundaryFacts> facts_of(const BoundaryConditions &conditions);
+  std::vector<BoundaryFacts> facts_of(const BoundaryConditions &conditions); ///< Of each, in the same order.
 
   /// @throws InputError if @p condition acts on no area.
   void refuse_empty(const BoundaryFacts &condition, double area);

@@ -17,8 +17,8 @@ namespace myolines
 {
   class NodeSpace;
 
-  using Vector3 = dealii::Tensor<1, 3>;
-  using Matrix3 = dealii::Tensor<2, 3>;
+  using Vector3 = dealii::Tensor<1, 3>; ///< a vector in space
+  using Matrix3 = dealii::Tensor<2, 3>; ///< a tensor of second order in space
 
   /// What a condition does to the end of a muscle: lines of action go from end to end.
   enum class MuscleEnd
@@ -31,20 +31,21 @@ namespace myolines
   /// Part of a face that a condition acts on: a box of the body at rest [m].
   struct Box
   {
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::array<double, 3>   low{{-infinity, -infinity, -infinity}}, high{{infinity, infinity, infinity}};
+    static constexpr double infinity = std::numeric_limits<double>::infinity(); ///< no bound
+    std::array<double, 3>   low{{-infinity, -infinity, -infinity}};             ///< corner with the least coordinates
+    std::array<double, 3>   high{{infinity, infinity, infinity}};               ///< corner with the greatest
 
-    bool contains(const dealii::Point<3> &x) const;
+    bool contains(const dealii::Point<3> &x) const; ///< whether @p x is in it, its faces included
   };
 
   /// What is known of a condition before any mesh: from it the system sees which of the functions below matter.
   struct BoundaryFacts
   {
-    std::string  name;     ///< that the scene gives it
-    std::string  where;    ///< in the scene, for messages
-    unsigned int face = 0; ///< by number, see face_names()
-    MuscleEnd    end  = MuscleEnd::none;
-    Box          part;
+    std::string  name;                   ///< that the scene gives it
+    std::string  where;                  ///< in the scene, for messages
+    unsigned int face = 0;               ///< by number, see face_names()
+    MuscleEnd    end  = MuscleEnd::none; ///< what it does to the end of a muscle
+    Box          part;                   ///< of the face, by places at rest
 
     std::array<bool, 3> prescribed{};         ///< components whose motion is a given function of time
     std::array<bool, 3> moving{};             ///< those of them that are not zero at all times
@@ -57,11 +58,13 @@ namespace myolines
     bool                follows      = false; ///< ... and depends on the deformed area: its tangent is not symmetric
     bool                strains      = false; ///< it stretches the body by a strain: forces are measured at its face by default
 
-    std::string              says_tie, says_spring, says_motion; ///< for `check`: "moves as one"; empty: nothing to say
-    std::vector<std::string> columns;                            ///< of reaction.csv beyond the force: "stop [N]"
+    std::string              says_tie;    ///< for `check`, where it ties: "moves as one"; empty: nothing to say
+    std::string              says_spring; ///< likewise where it pushes
+    std::string              says_motion; ///< likewise where it prescribes
+    std::vector<std::string> columns;     ///< of reaction.csv beyond the force: "stop [N]"
 
-    bool prescribes() const { return prescribed[0] || prescribed[1] || prescribed[2]; }
-    bool constrains() const { return prescribes() || ties; }
+    bool prescribes() const { return prescribed[0] || prescribed[1] || prescribed[2]; } ///< whether it prescribes the motion of a component
+    bool constrains() const { return prescribes() || ties; }                            ///< whether unknowns of the face are not free
     /// It pulls with a force of its own, and not with a given one.
     bool reacts() const { return constrains() || supports; }
   };
@@ -95,8 +98,8 @@ namespace myolines
   /// a.u = q at all nodes of a face: q is zero, or the one free unknown that moves the face.
   struct Tie
   {
-    Vector3 direction; ///< unit vector a
-    bool    moves = false;
+    Vector3 direction;     ///< unit vector a
+    bool    moves = false; ///< whether q is free
   };
 
   /// Force, moment and motion at the face of a condition as measured, see measure_reactions().
@@ -114,12 +117,13 @@ namespace myolines
   class BoundaryCondition
   {
   public:
+    /// Of these @p facts, which the constructors of kinds complete.
     explicit BoundaryCondition(BoundaryFacts facts)
       : facts_(std::move(facts))
     {}
     virtual ~BoundaryCondition() = default;
 
-    const BoundaryFacts &facts() const { return facts_; }
+    const BoundaryFacts &facts() const { return facts_; } ///< what is known of it
 
     /// Given functions of time that it depends on, for their kinks and files.
     virtual std::vector<const Drive *> drives() const { return {}; }
@@ -135,9 +139,10 @@ namespace myolines
 
     // Forces. What a point stands for is in them [N].
 
-    virtual Vector3      load(double /*t*/, Side, const FacePoint &) const { return {}; }
+    virtual Vector3 load(double /*t*/, Side, const FacePoint &) const { return {}; } ///< dead load [N]
+    /// force that depends on the motion [N]
     virtual Vector3      force(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return {}; }
-    virtual ForceTangent tangent(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return {}; }
+    virtual ForceTangent tangent(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return {}; } ///< derivatives of force()
 
     /// Energy stored by force() [J].
     virtual double energy(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return 0; }
@@ -156,6 +161,6 @@ namespace myolines
     virtual std::vector<double> own_columns(double /*t*/, Side, const FaceReaction &) const { return {}; }
 
   protected:
-    BoundaryFacts facts_;
+    BoundaryFacts facts_; ///< for constructors; constant afterwards
   };
 } // namespace myolines

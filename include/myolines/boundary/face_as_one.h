@@ -25,9 +25,9 @@ namespace myolines
     /// @p spring: nullptr for none.
     FaceAsOne(const scene::Node &node, const BoundaryReading &reading, std::shared_ptr<const TendonSpring> spring);
 
-    const Vector3 &direction() const { return direction_; }
-    bool           has_spring() const { return spring_ != nullptr; }
-    double         spring_length() const { return spring_->slack_length(); } ///< [m]
+    const Vector3 &direction() const { return direction_; }                  ///< n
+    bool           has_spring() const { return spring_ != nullptr; }         ///< whether a spring acts on it
+    double         spring_length() const { return spring_->slack_length(); } ///< of it [m]
 
   private:
     /// s: where the face would stand without a force of the spring [m].

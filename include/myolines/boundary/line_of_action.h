@@ -17,11 +17,12 @@ namespace myolines
   /// that direction to where it ends.
   struct LineOfAction
   {
-    unsigned int                        from = 0, to = 0; ///< faces whose mean motion changes the length
-    dealii::Tensor<1, 3>                direction;        ///< unit vector
-    double                              begin  = 0;       ///< least X . direction of the body at rest [m]
-    double                              length = 0;       ///< from there to the greatest [m]
-    std::optional<dealii::Tensor<1, 3>> thickness;        ///< unit vector across the line along which thickness is measured, where given
+    unsigned int                        from = 0;   ///< face whose mean motion, with that of the next, changes the length
+    unsigned int                        to   = 0;   ///< the other face
+    dealii::Tensor<1, 3>                direction;  ///< unit vector
+    double                              begin  = 0; ///< least X . direction of the body at rest [m]
+    double                              length = 0; ///< from there to the greatest [m]
+    std::optional<dealii::Tensor<1, 3>> thickness;  ///< unit vector across the line along which thickness is measured, where given
 
     /// How far @p x is along the line [m].
     double along(const dealii::Point<3> &x) const { return dealii::Tensor<1, 3>(x) * direction - begin; }
@@ -34,19 +35,22 @@ namespace myolines
   /// What a scene says of the line; what it leaves open follows from the body and its conditions, see find_line_of_action().
   struct LineGiven
   {
+    /// The faces whose centres it joins, by number.
     struct Faces
     {
-      unsigned int from, to;
+      unsigned int from; ///< where the line begins
+      unsigned int to;   ///< where it ends
     };
-    std::optional<Faces>                faces;
-    std::optional<dealii::Tensor<1, 3>> direction, thickness; ///< unit vectors
+    std::optional<Faces>                faces;     ///< nothing: as find_line_of_action() chooses
+    std::optional<dealii::Tensor<1, 3>> direction; ///< unit vector
+    std::optional<dealii::Tensor<1, 3>> thickness; ///< unit vector
   };
 
   /// A line, or why there is none.
   struct LineChoice
   {
-    std::optional<LineOfAction> line;
-    std::string                 why_none;
+    std::optional<LineOfAction> line;     ///< nothing: there is none
+    std::string                 why_none; ///< a sentence; empty if there is one
   };
 
   /// Where nothing is given, bodies of our own are measured along x, as in the thesis. The line of a mesh points from one to another of the
@@ -57,5 +61,5 @@ namespace myolines
   /// Declaration of the list `line of action` in the list `system`, and its reading. @throws InputError for faces that the body does not
   /// have, and directions of length zero.
   scene::Schema line_of_action_schema();
-  LineGiven     read_line_of_action(const scene::Node &system, const Geometry &geometry);
+  LineGiven     read_line_of_action(const scene::Node &system, const Geometry &geometry); ///< Reads that list.
 } // namespace myolines

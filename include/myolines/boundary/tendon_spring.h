@@ -33,5 +33,5 @@ namespace myolines
 
   /// Declaration of the list `spring`, and its reading.
   scene::Schema                 tendon_spring_schema();
-  std::unique_ptr<TendonSpring> read_tendon_spring(const scene::Node &node);
+  std::unique_ptr<TendonSpring> read_tendon_spring(const scene::Node &node); ///< Reads that list.
 } // namespace myolines

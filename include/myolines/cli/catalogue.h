@@ -24,7 +24,7 @@ namespace myolines
   /// A system as a scene describes it.
   struct AssembledSystem
   {
-    std::unique_ptr<SemiDiscreteSystem> system;
+    std::unique_ptr<SemiDiscreteSystem> system; ///< with the parameters of the scene
 
     /// Observers for the list `output`; they refer to the system.
     std::function<std::vector<std::unique_ptr<Observer>>(const scene::Node &output, const OutputFolder &folder)> make_outputs;
@@ -78,16 +78,16 @@ namespace myolines
     std::vector<scene::Setting>    example;  ///< a small scene, without the integrator
     std::vector<SystemVariant>     variants; ///< what methods may take or not, the example itself first
     std::function<AssembledSystem(const scene::Node &, WorkLedger &, InstructionSet)> make; ///< kernels of that set, where it has some
-    std::function<SizeEstimate(const scene::Node &, unsigned int ranks)>              size;
-    MeshParameters                                                                    mesh;
+    std::function<SizeEstimate(const scene::Node &, unsigned int ranks)>              size; ///< estimated from the list `system`
+    MeshParameters                                                                    mesh; ///< for refinements
   };
 
-  inline const std::string &name_of(const SystemEntry &entry) { return entry.name; }
+  inline const std::string &name_of(const SystemEntry &entry) { return entry.name; } ///< For Registry.
 
   /// All systems, in the order of `myolines list systems`, then those of plug-ins. A new system is one more entry here.
   Registry<SystemEntry> &system_catalogue();
 
-  /// @throws InputError with the nearest valid name; @p where is the place of the name.
+  /// The system of that name. @throws InputError with the nearest valid name; @p where is the place of the name.
   const SystemEntry &system_entry(const std::string &name, const std::string &where);
 
   /// The system of a whole @p scene, which read_whole_scene() gives. @p ledger outlives it. @throws InputError for what ranges cannot

@@ -18,12 +18,13 @@ namespace myolines
   // The commands of the program, one function each. They print to @p out (rank 0 only has a real one) and throw
   // InputError, SolveError and Interrupted.
 
+  /// What `run` is asked for.
   struct RunOptions
   {
-    std::filesystem::path    scene;
-    std::filesystem::path    folder; ///< empty: results/ and the name of the scene without extension
-    std::vector<std::string> overrides;
-    bool                     quiet     = false;
+    std::filesystem::path    scene;                  ///< file of the scene
+    std::filesystem::path    folder;                 ///< empty: results/ and the name of the scene without extension
+    std::vector<std::string> overrides;              ///< "path=value", in their order
+    bool                     quiet     = false;      ///< no line for each step on the terminal
     bool                     resume    = false;      ///< go on from the checkpoint in the folder
     bool                     overwrite = false;      ///< results of other scenes in the folder go
     std::string              program   = "myolines"; ///< as it was called, for hints
@@ -33,6 +34,7 @@ namespace myolines
     std::optional<scene::Node> made;     ///< the scene itself, made by a program: `scene` only names it, and nothing overrides it
     std::vector<Observer *>    watchers; ///< who else watches the run
   };
+  /// Runs a scene to its end, or goes on with it, and prints where the results are.
   void run_command(const RunOptions &options, std::ostream &out);
 
   /// Prints the resolved scene, what will be computed, what is skipped and why, sizes, method and steps. If @p brief, only unknowns, steps,
@@ -48,10 +50,11 @@ namespace myolines
   void modes_command(const std::filesystem::path &scene, const std::vector<std::string> &overrides, const std::filesystem::path &file,
                      std::ostream &out);
 
+  /// What `modes --along` is asked for.
   struct ModesAlongOptions
   {
-    std::filesystem::path    scene;
-    std::vector<std::string> overrides;
+    std::filesystem::path    scene;      ///< file of the scene
+    std::vector<std::string> overrides;  ///< "path=value", in their order
     std::filesystem::path    run;        ///< output folder of a run of the scene that kept states
     std::optional<double>    at;         ///< only that time [s]; none: all of them
     unsigned int             number = 4; ///< of eigenvalues

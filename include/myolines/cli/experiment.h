@@ -20,13 +20,15 @@ namespace myolines
   class Experiment
   {
   public:
+    /// Of a scene that read_whole_scene() gives. Collective.
     explicit Experiment(scene::Node scene, InstructionSet instruction_set = widest_instruction_set());
 
-    const scene::Node     &scene() const { return scene_; }
-    const AssembledSystem &assembled() const { return assembled_; }
-    MethodFacts            method() const { return facts_with(method_, scene_.section("integrator")); }
-    const LoopSettings    &settings() const { return settings_; }
-    InstructionSet         instruction_set() const { return instruction_set_; }
+    const scene::Node     &scene() const { return scene_; }         ///< that of the constructor
+    const AssembledSystem &assembled() const { return assembled_; } ///< the system, and what belongs to it
+    /// with the parameters of the scene
+    MethodFacts         method() const { return facts_with(method_, scene_.section("integrator")); }
+    const LoopSettings &settings() const { return settings_; }               ///< of the list `time`
+    InstructionSet      instruction_set() const { return instruction_set_; } ///< of the cell kernels
 
     /// How linear systems are solved, in words.
     const std::vector<std::string> &solver_plan() const { return solver_plan_; }
@@ -37,11 +39,11 @@ namespace myolines
     /// Whether the method chooses its steps itself.
     bool paces_itself() const { return self_paced_ != nullptr; }
 
-    WorkLedger &ledger() { return ledger_; }
+    WorkLedger &ledger() { return ledger_; } ///< counts and seconds of all that this experiment does
 
     // For loops and methods of one's own (doc/interface.md); none of these runs anything but start(), where the scene asks for equilibrium.
 
-    const SemiDiscreteSystem &system() const { return *assembled_.system; }
+    const SemiDiscreteSystem &system() const { return *assembled_.system; } ///< the semi-discrete equations
 
     /// For a method, or a StageSolver, of one's own. It refers to this experiment.
     IntegratorContext context();
@@ -70,7 +72,7 @@ namespace myolines
     /// Puts what method and control remember into @p checkpoint, or gives it back to them. What solvers keep is dropped both times, so that
     /// one that goes on and one that comes back later are bit-equal.
     void keep(Checkpoint &checkpoint);
-    void recall(const Checkpoint &checkpoint);
+    void recall(const Checkpoint &checkpoint); ///< Gives back what keep() put there.
 
     /// Goes on from @p checkpoint, of this scene, instead of the initial state.
     void resume(const Checkpoint &checkpoint);
@@ -81,12 +83,13 @@ namespace myolines
     /// Steps as planned, with landings on events, if every step succeeds.
     struct StepPlan
     {
+      /// Steps of one size.
       struct Run
       {
         std::size_t count; ///< of steps of one size, up to rounding
         double      size;  ///< [s]
       };
-      static constexpr std::size_t limit = 1000000;
+      static constexpr std::size_t limit = 1000000; ///< steps that are looked at
 
       std::vector<Run> runs;            ///< in their order
       std::size_t      n_steps  = 0;    ///< in these runs

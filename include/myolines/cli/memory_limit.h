@@ -8,7 +8,7 @@ namespace myolines
   /// Memory that this program may take on this node.
   struct MemoryLimit
   {
-    double      bytes;
+    double      bytes;  ///< on this node
     std::string origin; ///< "physical memory of the node", "limit of its control group", "of the batch job (SLURM_MEM_PER_NODE)"
   };
 

@@ -19,11 +19,14 @@ namespace myolines
   class PluginEntries
   {
   public:
+    ///@{
+    /// Notes a thing that the plug-in brings.
     void add(IntegratorEntry entry) { put(integrator_registry(), std::move(entry)); }
     void add(SystemEntry entry) { put(system_catalogue(), std::move(entry)); }
     void add(LawKind kind) { put(law_kinds(), std::move(kind)); }
     void add(BoundaryEntry entry) { put(boundary_registry(), std::move(entry)); }
     void add(SeriesEntry entry) { put(series_registry(), std::move(entry)); }
+    ///@}
 
     const std::vector<std::string> &words() const { return words_; } ///< "integrator houbolt"
     const std::vector<std::string> &taken() const { return taken_; } ///< those of them that are there already, or twice
@@ -48,8 +51,8 @@ namespace myolines
   /// A plug-in that has been loaded. It stays until the end of the process.
   struct Plugin
   {
-    std::string              name; ///< that of its file without ".so": small letters, digits, hyphens
-    std::filesystem::path    file;
+    std::string              name;     ///< that of its file without ".so": small letters, digits, hyphens
+    std::filesystem::path    file;     ///< from which it was loaded
     std::string              checksum; ///< of the file, CRC-32
     std::vector<std::string> brings;   ///< "integrator houbolt"
   };

@@ -8,12 +8,13 @@
 
 namespace myolines
 {
+  /// What `point` is asked for.
   struct PointOptions
   {
-    std::filesystem::path folder;                    ///< empty: results/ and the name of the scene, with " point" after it
-    std::vector<double>   stretch{0.4, 1.8, 141};    ///< from, to, number of points
-    std::vector<double>   strain_rate{-1.25, 1, 91}; ///< likewise, non-dimensional
-    std::vector<double>   activation{0, 0.2, 0.4, 0.6, 0.8, 1};
+    std::filesystem::path folder;                               ///< empty: results/ and the name of the scene, with " point" after it
+    std::vector<double>   stretch{0.4, 1.8, 141};               ///< from, to, number of points
+    std::vector<double>   strain_rate{-1.25, 1, 91};            ///< likewise, non-dimensional
+    std::vector<double>   activation{0, 0.2, 0.4, 0.6, 0.8, 1}; ///< one curve for each
   };
 
   /// The laws of every tissue of a scene at a single point, uniaxial and incompressible, F = diag(s, s^(-1/2), s^(-1/2)) along the fibre

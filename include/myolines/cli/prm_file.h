@@ -10,10 +10,10 @@ namespace myolines
   /// "set name = text" in a deal.II parameter file.
   struct PrmEntry
   {
-    std::string  section; ///< names of the subsections around it, separated by "/"
-    std::string  name;
-    std::string  text;
-    unsigned int line = 0;
+    std::string  section;  ///< names of the subsections around it, separated by "/"
+    std::string  name;     ///< between "set" and "="
+    std::string  text;     ///< behind "="
+    unsigned int line = 0; ///< of the file, from 1
   };
 
   /// Reads a deal.II parameter file (ParameterHandler): subsection/end, set, in small letters or capitals, comments from # on, lines
@@ -24,8 +24,8 @@ namespace myolines
   /// A line of a table without header, as words.
   struct PrmRow
   {
-    std::vector<std::string> words;
-    unsigned int             line = 0;
+    std::vector<std::string> words;    ///< in their order
+    unsigned int             line = 0; ///< of the file, from 1
   };
 
   /// The lines of @p file as words separated by blanks or tabs; empty lines, and what follows a #, are left out.

@@ -22,10 +22,10 @@ namespace myolines
     /// Begins at `time/start`, with the state of the scene.
     explicit Simulation(scene::Node scene, InstructionSet instruction_set = widest_instruction_set());
 
-    Experiment       &experiment() { return experiment_; }
-    const State      &state() const { return state_; }
-    std::size_t       steps() const { return followed_.steps; } ///< accepted so far
-    const StepRecord &last_step() const { return followed_.last; }
+    Experiment       &experiment() { return experiment_; }         ///< system, method and outputs
+    const State      &state() const { return state_; }             ///< at the present time
+    std::size_t       steps() const { return followed_.steps; }    ///< accepted so far
+    const StepRecord &last_step() const { return followed_.last; } ///< the last accepted one
 
     /// Advances to @p t exactly. @p between is called after every accepted step but the last; what it throws ends the advance there.
     /// @throws InputError for a time before the present one or after `time/end`; SolveError where the control gives up. The state is then
@@ -36,9 +36,10 @@ namespace myolines
     /// what is set holds from the beginning, and the initial state is that which belongs to it.
     /// @throws InputError with the nearest name for a path that is not steered.
     Steering &steering(const std::string &path);
-    void      steer(const std::string &path, double value, double duration = 0); ///< Steering::go_to()
-    void      steer(const std::string &path, std::shared_ptr<const Drive> course);
+    void      steer(const std::string &path, double value, double duration = 0);   ///< Steering::go_to()
+    void      steer(const std::string &path, std::shared_ptr<const Drive> course); ///< Steering::follow()
 
+    /// all drives of type `steered`
     const std::vector<std::shared_ptr<Steering>> &steered() const { return experiment_.assembled().steered; }
 
     /// A number of a table that a run of the scene writes.
@@ -55,17 +56,17 @@ namespace myolines
     /// A moment to come back to.
     struct Moment
     {
-      Checkpoint                     run;
-      std::vector<Steering::Courses> courses;
-      bool                           begun;
+      Checkpoint                     run;     ///< state, method and control
+      std::vector<Steering::Courses> courses; ///< of the steered drives, in their order
+      bool                           begun;   ///< whether the method has started
     };
-    Moment save();
-    void   restore(const Moment &moment);
+    Moment save();                        ///< The present moment.
+    void   restore(const Moment &moment); ///< Goes back to it, steered drives included.
 
     /// The same as a file, which a later program reads with the same scene; of what steers it, it has nothing. @throws InputError for
     /// files that are damaged or of another scene.
     void save(const std::filesystem::path &file);
-    void restore(const std::filesystem::path &file);
+    void restore(const std::filesystem::path &file); ///< Goes on from such a file.
 
   private:
     struct Followed : Observer

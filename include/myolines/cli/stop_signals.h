@@ -13,8 +13,8 @@ namespace myolines
   class StopSignals
   {
   public:
-    StopSignals();
-    ~StopSignals();
+    StopSignals();  ///< notes signals from now on
+    ~StopSignals(); ///< signals act as before
     StopSignals(const StopSignals &)            = delete;
     StopSignals &operator=(const StopSignals &) = delete;
 

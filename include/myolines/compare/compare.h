@@ -21,8 +21,8 @@ namespace myolines
     explicit SavedState(const std::filesystem::path &file);
     ~SavedState();
 
-    double                       t() const { return t_; }
-    const std::filesystem::path &file() const { return file_; }
+    double                       t() const { return t_; }       ///< [s]
+    const std::filesystem::path &file() const { return file_; } ///< that of the constructor
 
     /// l2_differences() of both; the ranks of all share the work. @throws InputError if the systems are of different types or sizes.
     friend std::vector<FieldDifference> l2_differences(const SavedState &first, const SavedState &second);
@@ -39,8 +39,8 @@ namespace myolines
   /// Where a run left a state.
   struct StateOnDisk
   {
-    std::filesystem::path file;
-    double                t; ///< [s]
+    std::filesystem::path file; ///< a checkpoint
+    double                t;    ///< [s]
   };
   /// States in the folder of a run, ascending in time: those kept (list `output/checkpoint/keep`), the last one at the end.
   /// @throws InputError if there is no checkpoint.
@@ -50,12 +50,14 @@ namespace myolines
   std::vector<std::pair<StateOnDisk, StateOnDisk>> common_states(const std::vector<StateOnDisk> &first,
                                                                  const std::vector<StateOnDisk> &second);
 
+  /// What `compare` is asked for.
   struct CompareOptions
   {
-    std::filesystem::path first, second; ///< folders of runs
-    std::optional<double> at;            ///< a time at which both have a state [s]
-    bool                  all = false;   ///< all times at which both have one
-    std::filesystem::path csv;           ///< file to write the table to; empty: none
+    std::filesystem::path first;       ///< folder of a run
+    std::filesystem::path second;      ///< folder of the run that differences are relative to
+    std::optional<double> at;          ///< a time at which both have a state [s]
+    bool                  all = false; ///< all times at which both have one
+    std::filesystem::path csv;         ///< file to write the table to; empty: none
   };
 
   /// The command `compare`: the table of l2_differences() at the end of both runs, at a time, or at all common times.

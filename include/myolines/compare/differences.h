@@ -38,8 +38,10 @@ namespace myolines
   /// A piece of an axis on which two equal divisions, into n_1 and n_2 cells, have no cut.
   struct CommonPiece
   {
-    double       begin, length; ///< over the length of the axis
-    unsigned int first, second; ///< cells it lies in
+    double       begin;  ///< of the piece, over the length of the axis
+    double       length; ///< likewise
+    unsigned int first;  ///< cell of the first division that it lies in
+    unsigned int second; ///< cell of the second
   };
   /// Pieces from left to right; those of nested divisions are the cells of the finer one.
   std::vector<CommonPiece> common_pieces(unsigned int n_first, unsigned int n_second);

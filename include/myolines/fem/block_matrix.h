@@ -29,7 +29,7 @@ namespace myolines
     /// After all batches. Collective.
     void finish();
 
-    const SparseMatrix &matrix() const { return matrix_; }
+    const SparseMatrix &matrix() const { return matrix_; } ///< After finish().
 
   private:
     using Numbers = std::vector<dealii::types::global_dof_index>;

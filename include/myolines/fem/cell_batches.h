@@ -19,10 +19,10 @@ namespace myolines
   class CellBatches
   {
   public:
-    CellBatches(const NodeSpace &space, const Element &element);
+    CellBatches(const NodeSpace &space, const Element &element); ///< Of all cells that this rank owns or has as ghosts.
 
-    unsigned int n_owned_batches() const { return n_owned_; }
-    unsigned int n_batches() const { return static_cast<unsigned int>(batches_.size()); }
+    unsigned int n_owned_batches() const { return n_owned_; } ///< Batches of owned cells: those with numbers below.
+    unsigned int n_batches() const { return static_cast<unsigned int>(batches_.size()); } ///< Batches of owned and of ghost cells.
 
     /// Cells in batch @p b, 1..n_lanes.
     unsigned int n_filled(const unsigned int b) const { return batches_[b].n_filled; }
@@ -35,7 +35,8 @@ namespace myolines
     /// Map from the unit cube: for each point 9 lanes d(xi_A)/d(X_J) (A slowest) and one lane det(dX/dxi). The points of an
     /// affine batch share one entry: point q stands at geometry(b) + q * geometry_stride(b).
     const double *geometry(const unsigned int b) const { return &geometry_[batches_[b].geometry]; }
-    unsigned int  geometry_stride(const unsigned int b) const { return batches_[b].affine ? 0 : 10 * n_lanes; }
+    /// Doubles from one point to the next, 0 in an affine batch.
+    unsigned int geometry_stride(const unsigned int b) const { return batches_[b].affine ? 0 : 10 * n_lanes; }
 
     /// [n_modes][n_modes] lanes: inverse mass matrix of P_{k-1} on the cell.
     const double *inverse_mode_mass(const unsigned int b) const { return &mode_mass_[std::size_t(b) * n_modes_ * n_modes_ * n_lanes]; }

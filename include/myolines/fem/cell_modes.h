@@ -12,6 +12,7 @@ namespace myolines
   class CellModes
   {
   public:
+    /// @p n numbers for each cell. The batches outlive the object.
     CellModes(const NodeSpace &space, const CellBatches &batches, unsigned int n);
 
     /// Zero; ghosts are the ghost cells.

@@ -10,11 +10,13 @@ namespace myolines
   /// and dilatation: Legendre products of total degree <= k-1, orthonormal on the unit cube.
   struct Element
   {
-    Element(unsigned int degree, unsigned int n_points_1d);
+    Element(unsigned int degree, unsigned int n_points_1d); ///< @p degree k in 1..3, @p n_points_1d n in 2..6.
 
-    int n_nodes_1d, n_nodes;   ///< k + 1 and its cube
-    int n_points_1d, n_points; ///< n and its cube
-    int n_modes;               ///< dim P_{k-1}: 1, 4, 10 for k = 1, 2, 3
+    int n_nodes_1d;  ///< k + 1
+    int n_nodes;     ///< its cube
+    int n_points_1d; ///< n
+    int n_points;    ///< its cube
+    int n_modes;     ///< dim P_{k-1}: 1, 4, 10 for k = 1, 2, 3
 
     std::vector<double> point;      ///< [n] Gauss points in (0, 1)
     std::vector<double> weight;     ///< [n] their weights

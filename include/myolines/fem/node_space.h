@@ -24,8 +24,8 @@ namespace myolines
   class NodeSpace
   {
   public:
-    using Mesh = dealii::parallel::distributed::Triangulation<3>;
-    using Cell = dealii::DoFHandler<3>::active_cell_iterator;
+    using Mesh = dealii::parallel::distributed::Triangulation<3>; ///< Hexahedra, spread over the ranks as a forest of octrees.
+    using Cell = dealii::DoFHandler<3>::active_cell_iterator;     ///< A hexahedron of the mesh that is not refined further.
 
     /// A node at a vertex of a boundary face.
     using SharedNodes = std::map<dealii::types::boundary_id, dealii::types::global_dof_index>;
@@ -33,15 +33,16 @@ namespace myolines
     /// @p mesh must outlive the space. One node of each of the boundary faces @p shared is relevant to all ranks.
     NodeSpace(const Mesh &mesh, unsigned int degree, const std::vector<dealii::types::boundary_id> &shared = {});
 
-    const Mesh                  &mesh() const { return mesh_; }
-    const dealii::DoFHandler<3> &nodes() const { return nodes_; }
-    MPI_Comm                     communicator() const { return nodes_.get_communicator(); }
-    const dealii::IndexSet      &owned_unknowns() const { return owned_; }
-    const dealii::IndexSet      &relevant_unknowns() const { return relevant_; }
-    unsigned int                 degree() const { return degree_; }
+    const Mesh                  &mesh() const { return mesh_; }                             ///< That of the constructor.
+    const dealii::DoFHandler<3> &nodes() const { return nodes_; }                           ///< One number for each node.
+    MPI_Comm                     communicator() const { return nodes_.get_communicator(); } ///< The ranks that share the mesh.
+    const dealii::IndexSet      &owned_unknowns() const { return owned_; }       ///< Global numbers of the unknowns of this rank.
+    const dealii::IndexSet      &relevant_unknowns() const { return relevant_; } ///< Those, and the others of cells that this rank sees.
+    unsigned int                 degree() const { return degree_; }              ///< k of the elements.
 
     /// A zero vector over all unknowns, ghosted.
-    Vector                                     make_vector() const { return Vector(partitioner_); }
+    Vector make_vector() const { return Vector(partitioner_); }
+    /// Which entries of a vector are owned and which are ghosts.
     const dealii::Utilities::MPI::Partitioner &partitioner() const { return *partitioner_; }
 
     /// Global node numbers of @p cell in lexicographic order.

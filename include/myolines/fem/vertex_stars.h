@@ -31,6 +31,7 @@ namespace myolines
     /// What constrains the coarse space; by default its unknowns are constrained where the fine ones at their vertices are.
     using Constrain = std::function<Constraints(const NodeSpace &coarse)>;
 
+    /// Finds stars and places of entries; matrices are zero. References outlive the object. Collective.
     VertexStars(const NodeSpace &space, const CellBatches &batches, const Element &element, const Constraints &constraints,
                 const Constrain &constrain_coarse = {}, InstructionSet instruction_set = widest_instruction_set());
 
@@ -43,11 +44,11 @@ namespace myolines
     /// After all batches. Collective.
     void finish() { coarse_matrix_->finish(); }
 
-    PatchMatrices       &patches() { return *patches_; }
-    const Interpolation &interpolation() const { return interpolation_; }
-    const NodeSpace     &coarse_space() const { return coarse_; }
-    const Constraints   &coarse_constraints() const { return coarse_constraints_; }
-    const SparseMatrix  &coarse_matrix() const { return coarse_matrix_->matrix(); }
+    PatchMatrices       &patches() { return *patches_; }                            ///< One matrix for each star of this rank.
+    const Interpolation &interpolation() const { return interpolation_; }           ///< P, from degree 1 to the space.
+    const NodeSpace     &coarse_space() const { return coarse_; }                   ///< Degree 1 on the same mesh.
+    const Constraints   &coarse_constraints() const { return coarse_constraints_; } ///< What constrains it.
+    const SparseMatrix  &coarse_matrix() const { return coarse_matrix_->matrix(); } ///< P^T J P, after finish().
 
     /// Bytes held.
     std::size_t memory() const;

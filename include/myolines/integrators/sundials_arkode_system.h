@@ -20,7 +20,7 @@ namespace myolines
     ArkodeSystem(const ArkodeTables &tables, const ErrorTolerances &tolerances, const scene::Node &integrator,
                  const IntegratorContext &context, FirstOrderForm &whole, const SundialsContext &sundials, const State &layout);
     ~ArkodeSystem();
-    ArkodeSystem(const ArkodeSystem &)            = delete;
+    ArkodeSystem(const ArkodeSystem &)            = delete; ///< ARKODE keeps a pointer to the object.
     ArkodeSystem &operator=(const ArkodeSystem &) = delete;
 
     /// Memory of ARKODE that begins at (t, y), the former one deleted. It belongs to this object.

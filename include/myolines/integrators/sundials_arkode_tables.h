@@ -17,20 +17,19 @@ namespace myolines
     std::optional<std::string> implicit;  ///< diagonally implicit; none: explicit method
     std::optional<std::string> explicit_; ///< none: implicit method
 
-    bool additive() const { return implicit && explicit_; }
+    bool additive() const { return implicit && explicit_; } ///< whether there are both
 
-    /// Orders of the method and of its embedded formula (0: none), and the number of stages.
-    int order() const;
-    int embedded_order() const;
-    int stages() const;
+    int order() const;          ///< of the method
+    int embedded_order() const; ///< of the formula that estimates errors, 0: there is none
+    int stages() const;         ///< how many there are
 
     /// Longest step [s] with which the explicit method amplifies no mode of a + c v + k u = 0 by more than a millionth: some methods
     /// amplify undamped ones a little at every step. @p stiffness k [1/s^2], @p rates c [1/s]; infinity if both are 0.
     double stable_step(double stiffness, double rates) const;
   };
 
-  const std::vector<std::string> &arkode_implicit_tables();
-  const std::vector<std::string> &arkode_explicit_tables();
+  const std::vector<std::string> &arkode_implicit_tables(); ///< Names of the diagonally implicit tables that ARKODE has.
+  const std::vector<std::string> &arkode_explicit_tables(); ///< Names of its explicit tables.
 
   /// Pairs that belong together, implicit and explicit table of each.
   const std::vector<std::pair<std::string, std::string>> &arkode_additive_pairs();

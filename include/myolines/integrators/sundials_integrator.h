@@ -25,16 +25,17 @@ namespace myolines
     void       save(Archive &archive) const final;
     void       load(const Archive &archive) final;
 
-    static constexpr unsigned int steps_between_looks = 100;
+    static constexpr unsigned int steps_between_looks = 100; ///< after which refusal() is asked again
 
   protected:
+    /// What allocate_solver() needs is made at the first start().
     SundialsIntegrator(const IntegratorContext &context, const ErrorControlLimits &limits);
 
     /// Totals since begin().
     struct Statistics
     {
-      long   error_failures  = 0;
-      long   solver_failures = 0;
+      long   error_failures  = 0; ///< attempts whose error was too large
+      long   solver_failures = 0; ///< attempts whose equations were not solved
       double estimated_error = 0; ///< of the last step, relative to the tolerances
     };
 
@@ -48,21 +49,21 @@ namespace myolines
     /// One step to @p t <= @p t_stop: y() and dy() become those there. Negative: failed.
     virtual int evolve(double t_stop, double &t) = 0;
 
-    virtual Statistics statistics() const                   = 0;
+    virtual Statistics statistics() const                   = 0; ///< of the solver
     virtual double     next_step() const                    = 0; ///< [s]
     virtual void       allocate_solver(const State &layout) = 0; ///< once
 
-    FirstOrderForm           &form() const { return *form_; }
-    const SundialsContext    &sundials() const { return *sundials_; }
-    const ErrorControlLimits &limits() const { return limits_; }
-    const IntegratorContext  &context() const { return context_; }
-    const ErrorTolerances    &tolerances() const;
-    N_Vector                  y() const { return y_.get(); }
-    N_Vector                  dy() const { return dy_.get(); }
+    FirstOrderForm           &form() const { return *form_; }         ///< the system
+    const SundialsContext    &sundials() const { return *sundials_; } ///< the session
+    const ErrorControlLimits &limits() const { return limits_; }      ///< of the scene
+    const IntegratorContext  &context() const { return context_; }    ///< of the constructor
+    const ErrorTolerances    &tolerances() const;                     ///< of the scene
+    N_Vector                  y() const { return y_.get(); }          ///< (u, v) of the free unknowns now
+    N_Vector                  dy() const { return dy_.get(); }        ///< (u', v') of them
 
     /// The size of @p error relative to the tolerances at y(), as set_error_weights() says.
     double   size(N_Vector error) const;
-    N_Vector work() const { return work_.get(); }
+    N_Vector work() const { return work_.get(); } ///< a vector for calls of the moment
 
     /// What SUNDIALS said of the last failure: MYOLINES_KEEP_SUNDIALS_ERRORS writes it.
     std::string &message() { return message_; }

@@ -19,26 +19,29 @@ namespace myolines
   class SundialsContext
   {
   public:
-    explicit SundialsContext(MPI_Comm communicator);
-    ~SundialsContext() { SUNContext_Free(&context_); }
-    SundialsContext(const SundialsContext &)            = delete;
+    explicit SundialsContext(MPI_Comm communicator);              ///< @throws std::runtime_error if SUNDIALS makes none
+    ~SundialsContext() { SUNContext_Free(&context_); }            ///< Ends the session.
+    SundialsContext(const SundialsContext &)            = delete; ///< A session has one owner.
     SundialsContext &operator=(const SundialsContext &) = delete;
 
-    operator SUNContext() const { return context_; }
+    operator SUNContext() const { return context_; } ///< For calls of SUNDIALS.
 
   private:
     MPI_Comm   communicator_;
     SUNContext context_ = nullptr;
   };
 
-  using SundialsVector = std::unique_ptr<std::remove_pointer_t<N_Vector>, void (*)(N_Vector)>;
+  using SundialsVector = std::unique_ptr<std::remove_pointer_t<N_Vector>, void (*)(N_Vector)>; ///< A vector of SUNDIALS that frees itself.
 
   /// y = (u, v) of the free unknowns of @p form, zero.
   SundialsVector make_sundials_vector(const FirstOrderForm &form, SUNContext context);
 
+  ///@{
+  /// The entries of this rank.
   inline double       *entries(N_Vector x) { return N_VGetArrayPointer(x); }
   inline const double *entries(const SundialsVector &x) { return N_VGetArrayPointer(x.get()); }
   inline double       *entries(SundialsVector &x) { return N_VGetArrayPointer(x.get()); }
+  ///@}
 
   /// A matrix that SUNDIALS hands around and only we know, with the solver that goes with it.
   class SundialsMatrix
@@ -50,11 +53,11 @@ namespace myolines
     /// @p times may be empty: only the mass is multiplied with.
     SundialsMatrix(SUNContext context, Map solve, Map times = {});
     ~SundialsMatrix();
-    SundialsMatrix(const SundialsMatrix &)            = delete;
+    SundialsMatrix(const SundialsMatrix &)            = delete; ///< SUNDIALS keeps a pointer to the object.
     SundialsMatrix &operator=(const SundialsMatrix &) = delete;
 
-    SUNMatrix       matrix() const { return matrix_; }
-    SUNLinearSolver solver() const { return solver_; }
+    SUNMatrix       matrix() const { return matrix_; } ///< for calls of SUNDIALS
+    SUNLinearSolver solver() const { return solver_; } ///< the solver that belongs to it
 
   private:
     Map             solve_, times_;

@@ -13,8 +13,10 @@ namespace myolines
 {
 #if SUNDIALS_VERSION_MAJOR >= 7
 
+  /// A session on the ranks of @p communicator. The flag of SUNDIALS, 0: done.
   inline int create_sundials_context(MPI_Comm &communicator, SUNContext &context) { return SUNContext_Create(communicator, &context); }
 
+  /// Writes the text of an error into the std::string @p kept.
   inline void keep_sundials_error(int, const char *, const char *, const char *text, SUNErrCode, void *kept, SUNContext)
   {
     *static_cast<std::string *>(kept) = text;
@@ -26,8 +28,10 @@ namespace myolines
 
 #else
 
+  /// A session on the ranks of @p communicator. The flag of SUNDIALS, 0: done.
   inline int create_sundials_context(MPI_Comm &communicator, SUNContext &context) { return SUNContext_Create(&communicator, &context); }
 
+  /// Writes the text of an error into the std::string @p kept.
   inline void keep_sundials_error(int, const char *, const char *, char *text, void *kept) { *static_cast<std::string *>(kept) = text; }
 
 #  define MYOLINES_KEEP_SUNDIALS_ERRORS(PREFIX, memory, context, kept) PREFIX##SetErrHandlerFn(memory, keep_sundials_error, &(kept))

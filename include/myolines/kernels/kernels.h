@@ -14,18 +14,18 @@ namespace myolines
   /// Tables of the element (see Element); borrowed.
   struct KernelTables
   {
-    int           n_points_1d;
-    int           n_modes;
-    const double *value;      ///< [n_points_1d][n_nodes_1d]
-    const double *derivative; ///< [n_points_1d][n_nodes_1d]
-    const double *weight;     ///< [n_points_1d^3]
-    const double *modes;      ///< [n_points_1d^3][n_modes]
+    int           n_points_1d; ///< Gauss points in one direction
+    int           n_modes;     ///< of pressure and dilatation
+    const double *value;       ///< [n_points_1d][n_nodes_1d]
+    const double *derivative;  ///< [n_points_1d][n_nodes_1d]
+    const double *weight;      ///< [n_points_1d^3]
+    const double *modes;       ///< [n_points_1d^3][n_modes]
   };
 
   /// The physics of all batches at one instant.
   struct KernelModel
   {
-    Activation          activation;
+    Activation          activation;    ///< of the regions
     bool                active;        ///< active stress takes part
     bool                rate;          ///< ... and depends on the strain rate
     bool                inertia;       ///< M a takes part
@@ -48,11 +48,12 @@ namespace myolines
     const double       *inverse_mode_mass; ///< [n_modes][n_modes] lanes
     const double       *material;          ///< per point n_material_values lanes
     unsigned int        material_stride;   ///< doubles between points, 0 if all points are alike
-    bool                muscle, tendon;    ///< whether some point has such fibres
-    int                 n_filled;
+    bool                muscle;            ///< whether some point has fibres of muscle
+    bool                tendon;            ///< whether some point has tendinous fibres
+    int                 n_filled;          ///< cells in the batch, 1..n_lanes
 
-    const LawTerm *laws; ///< of the tissues that the points are made of
-    int            n_laws;
+    const LawTerm *laws;      ///< of the tissues that the points are made of
+    int            n_laws;    ///< how many
     double         law_shear; ///< their shear modulus at rest together [Pa]
 
     const double *local = nullptr; ///< D and p of the state, [2][n_modes] lanes; none: D_h = Pi(J), p_h = Pi(Psi_vol'(D_h))
@@ -62,9 +63,9 @@ namespace myolines
   /// under stress P exerts nodal forces of the size |P| V^(2/3); displacements that are rounded to eps |u| change F by eps (1 + |u|/h).
   struct KernelForces
   {
-    double internal = 0;
+    double internal = 0; ///< of all stresses
     double volume   = 0; ///< of a stress mu (Pi(J) - D), mu = 2 dPsi/dI1: what the D that is given misses
-    double rounding = 0;
+    double rounding = 0; ///< of the displacement
   };
 
   /// State of one batch at its Gauss points, one lane per cell: what measurements and fields are made of.
@@ -77,7 +78,7 @@ namespace myolines
     point_pressure     = 24, ///< p_h [Pa]
     point_dilatation   = 25, ///< D_h
     point_JxW          = 26, ///< weight times det(dX/dxi) [m^3]
-    n_point_values     = 27
+    n_point_values     = 27  ///< fields of lanes at a point
   };
 
   /// The tangent at a Gauss point, compactly: F and a few products of stress derivatives with w = weight det(dX/dxi); the
@@ -91,10 +92,10 @@ namespace myolines
     tangent_power     = 12, ///< J^(-2/3)
     tangent_g         = 13, ///< g lam w
     tangent_stretch   = 14, ///< dg/dlam lam^2 w
-    tangent_size_0    = 15,
+    tangent_size_0    = 15, ///< fields of a point without strain rate
     tangent_C         = 15, ///< dg/d(lam-dot) lam^2 w
     tangent_rate      = 16, ///< 9: dg/d(lam-dot) lam w (L : Fdot)
-    tangent_size_rate = 25
+    tangent_size_rate = 25  ///< fields of a point with it
   };
 
   /// The tangent of a step at a Gauss point, derivatives of its stress without the volumetric rank, times w. Fields of lanes.
@@ -119,6 +120,7 @@ namespace myolines
   /// modes. In a step Psi_vol'' is the derivative of the secant of Psi_vol by the dilatation at the end.
   struct VolumeLayout
   {
+    /// Places for @p n_modes modes of pressure and dilatation.
     explicit VolumeLayout(const int n_modes)
       : stiffness(0)
       , softened(n_modes * n_modes)
@@ -128,12 +130,13 @@ namespace myolines
       , shear(residual + n_modes)
       , size(shear + 2)
     {}
-    int stiffness, softened; ///< S, also softened
-    int orthonormal;         ///< R
-    int compliance;          ///< C
-    int residual;            ///< g
-    int shear;               ///< mean mu h^(1/2) and mean Psi_vol'' h^(1/2) [Pa m^(1/2)], h the size of the cell
-    int size;                ///< lanes of all
+    int stiffness;   ///< S
+    int softened;    ///< S of the softened Psi_vol''
+    int orthonormal; ///< R
+    int compliance;  ///< C
+    int residual;    ///< g
+    int shear;       ///< mean mu h^(1/2) and mean Psi_vol'' h^(1/2) [Pa m^(1/2)], h the size of the cell
+    int size;        ///< lanes of all
   };
 
   /// Doubles of the tangent of one batch: the points, then the volume, then Fdot of the points if laws of a state need it.
@@ -190,7 +193,7 @@ namespace myolines
     void (*points)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *values,
                    double *scratch);
 
-    std::size_t (*scratch_size)(int n_points_1d, int n_modes);
+    std::size_t (*scratch_size)(int n_points_1d, int n_modes); ///< Doubles of the scratch storage.
   };
 
   /// Kernels of degree 1..3 for an instruction set that this processor has.

@@ -8,6 +8,7 @@ namespace myolines
   // Constitutive law at one point, physics page section 1. T is Lanes. Matrices are 9 entries row by row: index 3 a + J
   // with a the current and J the reference direction.
 
+  /// A : B
   template <typename T>
   MYOLINES_INLINE T dot(const T *a, const T *b)
   {
@@ -21,10 +22,11 @@ namespace myolines
   template <typename T>
   struct Kinematics
   {
-    T F[9];
+    T F[9]; ///< deformation gradient
     T H[9]; ///< F^(-T)
     T J;    ///< det F
 
+    /// Of F = @p gradient, det F not zero.
     MYOLINES_INLINE explicit Kinematics(const T *gradient)
     {
       for (int i = 0; i < 9; ++i)
@@ -60,19 +62,19 @@ namespace myolines
   template <typename T>
   struct PointLaw
   {
-    const KernelModel   &model;
-    const T             *a0;
-    const Kinematics<T> &k;
-    T                    power; ///< J^(-2/3)
-    T                    I1;
-    T                    Q[9];
+    const KernelModel   &model;  ///< what takes part
+    const T             *a0;     ///< fibre direction at rest, unit
+    const Kinematics<T> &k;      ///< of F
+    T                    power;  ///< J^(-2/3)
+    T                    I1;     ///< J^(-2/3) tr(F^T F)
+    T                    Q[9];   ///< dI1/dF
     T                    a[3];   ///< F a0
     T                    square; ///< 1/|a|^2
     T                    lam;    ///< isochoric stretch
     T                    N[9];   ///< dlam/dF / lam
-    FibreStress<T>       fibre;
-    IsotropicResponse<T> base;
-    T                    p; ///< p_h
+    FibreStress<T>       fibre;  ///< sigma_f/lam and its derivatives
+    IsotropicResponse<T> base;   ///< derivatives of the Yeoh energy
+    T                    p;      ///< p_h
 
     /// @p F_rate is used only if model.rate.
     MYOLINES_INLINE PointLaw(const KernelModel &m, const FibreTerms &terms, const T *material, const Kinematics<T> &kinematics,

@@ -14,6 +14,7 @@ namespace myolines
   class PiecewiseCurve
   {
   public:
+    /// What holds outside of the knots.
     enum class Beyond
     {
       constant, ///< the end values hold outside
@@ -24,7 +25,7 @@ namespace myolines
     /// Cubic Hermite pieces; @p s ascends strictly and has at least two entries.
     PiecewiseCurve(std::vector<double> s, const std::vector<double> &values, const std::vector<double> &slopes, Beyond beyond);
 
-    curves::Pieces pieces() const;
+    curves::Pieces pieces() const; ///< for kernels; borrowed from this object
 
   private:
     std::vector<double>                knots_;
@@ -34,7 +35,10 @@ namespace myolines
   /// The curves of fibres that a scene names instead of those of the thesis.
   struct CurveSet
   {
-    PiecewiseCurve active, passive, force_velocity, tendon;
+    PiecewiseCurve active;         ///< sA over isochoric stretch
+    PiecewiseCurve passive;        ///< sP over isochoric stretch
+    PiecewiseCurve force_velocity; ///< sV over strain rate
+    PiecewiseCurve tendon;         ///< sT over isochoric stretch
 
     /// Borrowed from this object.
     curves::FibreCurves view() const { return {active.pieces(), passive.pieces(), force_velocity.pieces(), tendon.pieces()}; }
@@ -47,5 +51,5 @@ namespace myolines
 
   /// Declaration of the list `curves`, and its reading: nullptr for the curves of the thesis.
   scene::Schema                   curves_schema();
-  std::shared_ptr<const CurveSet> read_curves(const scene::Node &node);
+  std::shared_ptr<const CurveSet> read_curves(const scene::Node &node); ///< Reads that list. @throws InputError
 } // namespace myolines

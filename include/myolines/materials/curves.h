@@ -9,26 +9,32 @@ namespace myolines::curves
   // T is double or Lanes. Each curve returns its value and its slope; outside the tables the rules are those of
   // (A.2.1)-(A.2.4). They are only piecewise smooth: knots are where slopes jump, listed with each curve.
 
+  /// A curve at a point.
   template <typename T>
   struct Curve
   {
-    T value;
-    T slope;
+    T value; ///< [-]
+    T slope; ///< by the argument
   };
 
   /// A curve of the user: cubics c0 + c1 x + c2 x^2 + c3 x^3 of x = s - s_i from each of n ascending knots s_i to the next, beyond the last
   /// one too; before the first one its row n holds, with x = s - s_0. Borrowed; see CurveSet.
   struct Pieces
   {
-    int           n = 0; ///< 0: the curve of the thesis holds
-    const double *knots;
+    int           n = 0;       ///< 0: the curve of the thesis holds
+    const double *knots;       ///< [n] s_i
     const double (*cubics)[4]; ///< [n + 1]
   };
+  /// Curves of the user in place of those of the thesis.
   struct FibreCurves
   {
-    Pieces active, passive, force_velocity, tendon;
+    Pieces active;         ///< sA
+    Pieces passive;        ///< sP
+    Pieces force_velocity; ///< sV
+    Pieces tendon;         ///< sT
   };
 
+  /// The curve at @p s, any number.
   MYOLINES_INLINE Curve<double> evaluate(const Pieces &pieces, const double &s)
   {
     int low = -1, high = pieces.n; // knots[low] <= s < knots[high]
@@ -98,6 +104,7 @@ namespace myolines::curves
 
   /// Integral of passive(s)/s from 1 to the stretch [-]: stored energy of the passive fibre over sigma0. Continuous.
   double passive_energy(double stretch, const FibreCurves *user = nullptr);
+  /// Lane by lane.
   template <typename T>
   MYOLINES_INLINE T passive_energy(const T &stretch, const FibreCurves *user = nullptr)
   {
@@ -146,6 +153,7 @@ namespace myolines::curves
 
   /// Integral of tendon(s)/s from 1 to the stretch [-]. Continuous.
   double tendon_energy(double stretch, const FibreCurves *user = nullptr);
+  /// Lane by lane.
   template <typename T>
   MYOLINES_INLINE T tendon_energy(const T &stretch, const FibreCurves *user = nullptr)
   {

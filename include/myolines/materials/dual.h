@@ -14,10 +14,11 @@ namespace myolines
   template <typename T, int n = 1>
   struct Dual
   {
-    T value;
-    T slope[n];
+    T value;    ///< of the function
+    T slope[n]; ///< its derivatives along the directions
 
     MYOLINES_INLINE Dual() {} // uninitialised, like a double
+    /// A constant: no slopes.
     template <typename C, typename = std::enable_if_t<std::is_convertible_v<C, T>>>
     MYOLINES_INLINE Dual(const C &constant)
       : value(constant)
@@ -31,6 +32,8 @@ namespace myolines
       MYOLINES_UNROLLED for (int k = 0; k < n; ++k) slope[k] = df * x.slope[k];
     }
 
+    ///@{
+    /// Arithmetic by the rules of differentiation.
     MYOLINES_INLINE Dual &operator+=(const Dual &b) { return *this = *this + b; }
     MYOLINES_INLINE Dual &operator-=(const Dual &b) { return *this = *this - b; }
 
@@ -55,9 +58,12 @@ namespace myolines
     {
       return each(-a.value, [&](const int k) MYOLINES_INLINED { return -a.slope[k]; });
     }
+    ///@}
 
     template <typename C>
-    using IfConstant = std::enable_if_t<std::is_convertible_v<C, T>>;
+    using IfConstant = std::enable_if_t<std::is_convertible_v<C, T>>; ///< For operands that do not depend on the directions.
+    ///@{
+    /// The same with such operands.
     template <typename C, typename = IfConstant<C>>
     friend MYOLINES_INLINE Dual operator+(const C &c, const Dual &x)
     {
@@ -89,7 +95,10 @@ namespace myolines
       const T inverse = T(1.) / x.value, f = T(c) * inverse;
       return Dual(f, -f * inverse, x);
     }
+    ///@}
 
+    ///@{
+    /// Functions by the chain rule.
     friend MYOLINES_INLINE Dual sqrt(const Dual &x)
     {
       const T f = sqrt(x.value);
@@ -105,6 +114,7 @@ namespace myolines
       const T f = exp(x.value);
       return Dual(f, f, x);
     }
+    ///@}
 
   private:
     template <typename Slope>

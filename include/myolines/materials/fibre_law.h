@@ -9,9 +9,9 @@ namespace myolines
   template <typename T>
   struct FibreResponse
   {
-    T stress;
-    T by_stretch;
-    T by_rate; ///< of lam-dot [Pa s]
+    T stress;     ///< sigma_f [Pa]
+    T by_stretch; ///< of lam [Pa]
+    T by_rate;    ///< of lam-dot [Pa s]
   };
 
   /// Laws sigma_f(lam, lam-dot) along the fibres: the file of one has response(lam, lam-dot, strain), and stress and tangent follow,
@@ -20,11 +20,13 @@ namespace myolines
   template <class L>
   struct LawOfFibres
   {
+    /// P [Pa]
     template <typename T>
     MYOLINES_INLINE Mat3<T> stress(const Strain<T> &s) const
     {
       return law().response(s.lam, s.lam * s.growth, s).stress * s.N;
     }
+    /// P and its derivatives along n directions.
     template <typename T, int n>
     MYOLINES_INLINE Mat3<Dual<T, n>> stress(const Strain<Dual<T, n>, T> &s) const
     {
@@ -34,6 +36,7 @@ namespace myolines
       return (D(sigma.stress, sigma.by_stretch, s.lam) + D(T(0.), sigma.by_rate, rate)) * s.N;
     }
 
+    /// dP along @p dF and @p dF_rate.
     template <typename T>
     MYOLINES_INLINE Mat3<T> tangent(const Strain<T> &s, const Mat3<T> &dF, const Mat3<T> &dF_rate) const
     {

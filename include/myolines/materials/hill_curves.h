@@ -8,10 +8,11 @@ namespace myolines::hill
   // and slopes are continuous to 1e-6, but for the slopes of force_velocity at 0 (8.617 -> 8.745) and of tendon at 1.00472
   // (0.0097 -> 5.67). At a knot the slope is that of the piece to its right.
 
+  /// A curve at a point.
   struct Curve
   {
-    double value;
-    double slope;
+    double value; ///< [-]
+    double slope; ///< by stretch or rate, of the right at a knot
   };
 
   /// F_A, active force against stretch [-], table A.1: 1 at stretch 1; 0 outside [0.4, 1.7].

@@ -9,8 +9,8 @@ namespace myolines
   template <typename T>
   struct IsotropicResponse
   {
-    T first;
-    T second;
+    T first;  ///< Psi' [Pa]
+    T second; ///< Psi'' [Pa]
   };
 
   /// Laws Psi(I1) of the isochoric invariant: the file of one has response(I1), and stress and tangent follow,
@@ -19,15 +19,17 @@ namespace myolines
   template <class L>
   struct IsotropicLaw
   {
-    static constexpr Rates rates          = Rates::none;
-    static constexpr bool  stress_at_rest = false;
+    static constexpr Rates rates          = Rates::none; ///< as law.h has it
+    static constexpr bool  stress_at_rest = false;       ///< as Q = 0 at F = I
 
+    /// P [Pa]
     template <typename T, typename C>
     MYOLINES_INLINE Mat3<T> stress(const Strain<T, C> &s) const
     {
       return first(s.I1) * gradient(s);
     }
 
+    /// dP along @p dF.
     template <typename T>
     MYOLINES_INLINE Mat3<T> tangent(const Strain<T> &s, const Mat3<T> &dF, const Mat3<T> &) const
     {
@@ -39,6 +41,7 @@ namespace myolines
       return (psi.second * QdF) * Q + psi.first * dQ;
     }
 
+    /// Psi [J/m^3]
     template <typename T>
     T energy(const Strain<T> &s) const
     {

@@ -17,13 +17,15 @@ namespace myolines
   //
   // Residuals, actions, element matrices, energies, `myolines point`, parts of forces and stresses and help follow.
 
+  /// Which values a parameter may have.
   enum class Bound
   {
-    any,
-    not_negative,
-    positive
+    any,          ///< every finite number
+    not_negative, ///< >= 0
+    positive      ///< > 0
   };
 
+  /// What the stress depends on.
   enum class Rates
   {
     none, ///< the stress depends on F alone
@@ -33,6 +35,7 @@ namespace myolines
 
   namespace law_parts
   {
+    /// Whether a law has a tangent by hand.
     template <class L, typename T, typename = void>
     struct HasTangent : std::false_type
     {
@@ -44,6 +47,7 @@ namespace myolines
       : std::true_type
     {
     };
+    /// Whether a law has an energy.
     template <class L, typename = void>
     struct HasEnergy : std::false_type
     {
@@ -55,9 +59,9 @@ namespace myolines
   } // namespace law_parts
 
   template <class L>
-  constexpr bool has_hand_tangent = law_parts::HasTangent<L, double>::value;
+  constexpr bool has_hand_tangent = law_parts::HasTangent<L, double>::value; ///< Whether the struct has `tangent`.
   template <class L>
-  constexpr bool has_energy = law_parts::HasEnergy<L>::value;
+  constexpr bool has_energy = law_parts::HasEnergy<L>::value; ///< Whether the struct has `energy`.
 
   /// dP along n directions at once, by dual numbers: dP[k] = dP/dF : dF[k] + dP/dF_rate : dF_rate[k].
   template <int n, class L, typename T>

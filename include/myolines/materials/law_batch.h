@@ -15,12 +15,14 @@ namespace myolines
     using T                    = Lanes<isa, double, width>;
 
   public:
+    /// As LawKernels::stress.
     static void stress(const LawTerm &term, const LawPoints &points, double *stress)
     {
       for_each(term, points,
                [&](const Place &at) { at.add(T(1.), law(term).stress(strain(at.deformation())), stress + 9 * at.q * n_lanes); });
     }
 
+    /// As LawKernels::action.
     static void action(const LawTerm &term, const LawPoints &points, const LawWeights &w, const double *direction, double *change)
     {
       const bool symmetrised = w.symmetrised && L::rates != Rates::none;
@@ -31,6 +33,7 @@ namespace myolines
       });
     }
 
+    /// As LawKernels::coefficients.
     static void coefficients(const LawTerm &term, const LawPoints &points, const LawWeights &w, double *c)
     {
       for_each(term, points, [&](const Place &at) {
@@ -56,6 +59,7 @@ namespace myolines
       });
     }
 
+    /// As LawKernels::energy.
     static void energy(const LawTerm &term, const LawPoints &points, double *W)
     {
       for_each(term, points,
@@ -146,7 +150,7 @@ namespace myolines
     }
   };
 
-  /// To be called where the options of the compiler are those of the instruction set, and for plain code only.
+  /// The kernels of the law L. To be called where the options of the compiler are those of the instruction set, and for plain code only.
   template <InstructionSet isa, class L>
   constexpr LawKernels make_law_kernels()
   {

@@ -17,33 +17,35 @@ namespace myolines
   {
     const LawKernels *kernels; ///< of the law, by InstructionSet; borrowed
     const void       *law;     ///< its struct; borrowed
-    double            weight;
-    unsigned int      tissue; ///< material id: points of other tissues have no part in it
+    double            weight;  ///< multiplies the stress
+    unsigned int      tissue;  ///< material id: points of other tissues have no part in it
   };
 
   /// Points of a batch; fields of lanes, strides in doubles. Borrowed.
   struct LawPoints
   {
-    int                        n;
-    const double              *F; ///< 9
-    std::size_t                F_stride;
-    const double              *F_rate; ///< 9 each, one behind the other; nullptr: zero
-    const double              *material;
-    std::size_t                material_stride;
-    const double              *geometry; ///< 9 of dxi_A/dX_J and det(dX/dxi)
-    std::size_t                geometry_stride;
-    const double              *weight; ///< of the quadrature, one number for each
-    const Activation          *activation;
-    const curves::FibreCurves *curves;
+    int                        n;               ///< how many points
+    const double              *F;               ///< 9
+    std::size_t                F_stride;        ///< from point to point
+    const double              *F_rate;          ///< 9 each, one behind the other; nullptr: zero
+    const double              *material;        ///< see MaterialValue
+    std::size_t                material_stride; ///< from point to point
+    const double              *geometry;        ///< 9 of dxi_A/dX_J and det(dX/dxi)
+    std::size_t                geometry_stride; ///< from point to point
+    const double              *weight;          ///< of the quadrature, one number for each
+    const Activation          *activation;      ///< of the regions
+    const curves::FibreCurves *curves;          ///< nullptr: those of the thesis
   };
 
   /// Weights of dP/dF and dP/dF_rate.
   struct LawWeights
   {
-    double u, v;
+    double u;           ///< of dP/dF
+    double v;           ///< of dP/dF_rate
     bool   symmetrised; ///< of the moduli the symmetric part only
   };
 
+  /// The kernels of one law, for one instruction set; @p P, @p dP, @p c and @p W are fields of lanes.
   struct LawKernels
   {
     /// P[9 q + i] += the stress [Pa].
@@ -60,13 +62,17 @@ namespace myolines
   };
 
   // Those of the laws of the list, by number; each is defined in the unit compiled for that instruction set.
+  ///@{
+  /// Those of the laws of the list, by number; each is defined in the unit compiled for that instruction set.
   extern const LawKernels law_kernels_baseline[];
   extern const LawKernels law_kernels_avx2[];
   extern const LawKernels law_kernels_avx512[];
+  ///@}
 
   /// Those of one law, by InstructionSet; null for sets that the processors of this system do not know.
   using LawKernelSets = std::array<LawKernels, 3>;
 
+  /// Those of a term, for one of the sets.
   template <InstructionSet isa>
   MYOLINES_INLINE const LawKernels &law_kernels(const LawTerm &term)
   {

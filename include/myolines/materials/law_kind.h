@@ -7,6 +7,7 @@ namespace myolines
 {
   namespace law_parts
   {
+    /// As a range of a scene.
     inline scene::Range law_range(const Bound bound)
     {
       return bound == Bound::positive       ? scene::Range::positive()
@@ -27,10 +28,12 @@ namespace myolines
       return schema;
     }
 
+    /// A law of the struct L.
     template <class L>
     class LawOf : public Law
     {
     public:
+      /// With the parameters of @p node; nullptr: with its defaults.
       LawOf(const LawKind &kind, const scene::Node *node)
         : Law(kind)
       {

@@ -19,15 +19,18 @@ namespace myolines
   /// A constitutive law that scenes can name: a line of laws/list.def, or one of a plug-in (law_kind.h).
   struct LawKind
   {
-    std::string                                                    name, doc;
-    Rates                                                          rates;
-    bool                                                           has_energy, hand_tangent, stress_at_rest;
-    scene::Schema                                                  schema; ///< its parameters
-    std::function<std::shared_ptr<const Law>(const scene::Node *)> make;   ///< with the parameters of the node; nullptr: with its defaults
-    LawKernelSets                                                  kernels;
+    std::string                                                    name;           ///< `type` in a scene
+    std::string                                                    doc;            ///< one sentence
+    Rates                                                          rates;          ///< what the stress depends on
+    bool                                                           has_energy;     ///< whether its struct has `energy`
+    bool                                                           hand_tangent;   ///< whether its struct has `tangent`
+    bool                                                           stress_at_rest; ///< whether there is a stress at F = I
+    scene::Schema                                                  schema;         ///< its parameters
+    std::function<std::shared_ptr<const Law>(const scene::Node *)> make;    ///< with the parameters of the node; nullptr: with its defaults
+    LawKernelSets                                                  kernels; ///< on batches
   };
 
-  inline const std::string &name_of(const LawKind &kind) { return kind.name; }
+  inline const std::string &name_of(const LawKind &kind) { return kind.name; } ///< For Registry.
 
   /// All laws, in the order of laws/list.def, then those of plug-ins.
   Registry<LawKind> &law_kinds();
@@ -37,6 +40,7 @@ namespace myolines
   {
   public:
     virtual ~Law() = default;
+    /// @p kind outlives the law.
     explicit Law(const LawKind &kind)
       : kind(kind)
     {}
@@ -50,18 +54,18 @@ namespace myolines
     /// Shear modulus at rest [Pa], the mean over all pairs of directions.
     double shear_modulus(const std::array<double, 3> &direction) const;
 
-    const LawKind &kind;
+    const LawKind &kind; ///< what it is one of
   };
 
   /// A part of a tissue.
   struct TissuePart
   {
-    std::string                name; ///< the scene's
-    std::shared_ptr<const Law> law;
-    double                     weight = 1;
+    std::string                name;       ///< the scene's
+    std::shared_ptr<const Law> law;        ///< with its parameters
+    double                     weight = 1; ///< multiplies the stress
   };
 
   /// Declaration of a list of laws with names of the user's choice, and its reading.
   scene::Schema           laws_schema();
-  std::vector<TissuePart> read_laws(const scene::Node &laws);
+  std::vector<TissuePart> read_laws(const scene::Node &laws); ///< Reads that list, in the order of the scene.
 } // namespace myolines

@@ -24,16 +24,18 @@ namespace myolines
     material_fat       = 12, ///< f [-], for the parts of the stress
     material_tissue    = 13, ///< material id of the tissue, for the parts of the stress
     material_region    = 14, ///< number of the region of activation
-    n_material_values  = 15
+    n_material_values  = 15  ///< how many there are
   };
 
   /// Activation of the regions of a body, in [0, 1]; region 0 is all that no other region covers.
   constexpr int max_regions = 16;
+  /// The activation of each region at one instant.
   struct Activation
   {
-    int    n_regions          = 1;
-    double level[max_regions] = {};
+    int    n_regions          = 1;  ///< 1 to max_regions
+    double level[max_regions] = {}; ///< of each region
 
+    /// Whether nothing is active.
     bool zero() const
     {
       for (int r = 0; r < n_regions; ++r)
@@ -56,19 +58,19 @@ namespace myolines
   /// Terms of the fibre stress that some point of a batch may have.
   struct FibreTerms
   {
-    bool                       muscle; ///< passive muscle fibres
-    bool                       active; ///< active stress; only with muscle
-    bool                       rate;   ///< active stress depends on the strain rate
-    bool                       tendon; ///< tendon fibres
-    const Activation          *activation;
-    const curves::FibreCurves *curves; ///< nullptr: those of the thesis
+    bool                       muscle;     ///< passive muscle fibres
+    bool                       active;     ///< active stress; only with muscle
+    bool                       rate;       ///< active stress depends on the strain rate
+    bool                       tendon;     ///< tendon fibres
+    const Activation          *activation; ///< of the regions
+    const curves::FibreCurves *curves;     ///< nullptr: those of the thesis
   };
 
   /// Fibre stress over stretch, g = sigma_f/lam [Pa], and its derivatives; the model every fibre part reduces to.
   template <typename T>
   struct FibreStress
   {
-    T g;
+    T g;             ///< sigma_f/lam
     T g_stretch;     ///< dg/dlam
     T g_strain_rate; ///< dg/de, e the non-dimensional strain rate
   };

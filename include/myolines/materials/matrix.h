@@ -8,13 +8,17 @@ namespace myolines
   // Vectors and matrices of three dimensions for laws at a point, so that code and physics page look alike. Entries are double, Lanes or
   // Dual; what mixes two of them has the richer one. Everything is inlined, loops of three and nine are unrolled.
 
+  /// A vector.
   template <typename T>
   struct Vec3
   {
-    T entry[3];
+    T entry[3]; ///< x, y, z
 
+    ///@{
+    /// Entry @p i, 0 to 2.
     MYOLINES_INLINE T       &operator[](const int i) { return entry[i]; }
     MYOLINES_INLINE const T &operator[](const int i) const { return entry[i]; }
+    ///@}
   };
 
   /// Rows are current, columns reference directions where the matrix is a deformation gradient or a first Piola-Kirchhoff stress.
@@ -23,13 +27,18 @@ namespace myolines
   {
     T entry[9]; ///< row by row
 
+    ///@{
+    /// Entry in row @p i and column @p j, 0 to 2.
     MYOLINES_INLINE T       &operator()(const int i, const int j) MYOLINES_INLINED { return entry[3 * i + j]; }
     MYOLINES_INLINE const T &operator()(const int i, const int j) const { return entry[3 * i + j]; }
+    ///@}
 
+    /// All entries zero.
     static MYOLINES_INLINE Mat3 zero()
     {
       return make([](int, int) MYOLINES_INLINED { return T(0.); });
     }
+    /// From nine numbers, row by row.
     static MYOLINES_INLINE Mat3 load(const T *entries)
     {
       return make([&](const int i, const int j) MYOLINES_INLINED { return entries[3 * i + j]; });
@@ -43,12 +52,15 @@ namespace myolines
     }
   };
 
+  /// The matrix of entries f(i, j), with the type of these.
   template <typename Function>
   MYOLINES_INLINE auto make_matrix(const Function &f)
   {
     return Mat3<decltype(f(0, 0))>::make(f);
   }
 
+  ///@{
+  /// Sums and products of matrices and vectors.
   template <typename A, typename B>
   MYOLINES_INLINE auto operator+(const Mat3<A> &a, const Mat3<B> &b)
   {
@@ -71,6 +83,7 @@ namespace myolines
     const auto row = [&](const int i) MYOLINES_INLINED { return a(i, 0) * b[0] + a(i, 1) * b[1] + a(i, 2) * b[2]; };
     return Vec3<decltype(row(0))>{{row(0), row(1), row(2)}};
   }
+  ///@}
   /// A number times a matrix.
   template <typename A, typename B>
   MYOLINES_INLINE auto operator*(const A &a, const Mat3<B> &b) -> Mat3<decltype(a * b(0, 0))>
@@ -78,6 +91,7 @@ namespace myolines
     return make_matrix([&](const int i, const int j) MYOLINES_INLINED { return a * b(i, j); });
   }
 
+  /// A^T
   template <typename T>
   MYOLINES_INLINE Mat3<T> transpose(const Mat3<T> &a)
   {
@@ -92,6 +106,7 @@ namespace myolines
     a(2, 2) = a(2, 2) + x;
     return a;
   }
+  /// tr A
   template <typename T>
   MYOLINES_INLINE T trace(const Mat3<T> &a)
   {
@@ -104,6 +119,7 @@ namespace myolines
     const auto row = [&](const int i) MYOLINES_INLINED { return a(i, 0) * b(i, 0) + a(i, 1) * b(i, 1) + a(i, 2) * b(i, 2); };
     return row(0) + row(1) + row(2);
   }
+  /// a . b
   template <typename A, typename B>
   MYOLINES_INLINE auto dot(const Vec3<A> &a, const Vec3<B> &b)
   {

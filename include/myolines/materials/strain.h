@@ -23,20 +23,22 @@ namespace myolines
   template <typename T, typename C = T>
   struct Strain
   {
-    Mat3<T>                    F, F_rate;
-    Vec3<C>                    a0;
-    C                          activation;
-    const curves::FibreCurves *curves;
-    T                          J;      ///< det F
-    Mat3<T>                    H;      ///< F^(-T) = dJ/dF / J
-    T                          power;  ///< J^(-2/3)
-    T                          I1;     ///< J^(-2/3) tr(F^T F)
-    Vec3<T>                    a;      ///< F a0
-    T                          square; ///< 1/|a|^2
-    T                          lam;    ///< isochoric stretch J^(-1/3) |a| of the fibre
-    Mat3<T>                    N;      ///< d lam/dF / lam = a (x) a0 / |a|^2 - H/3
-    T                          growth; ///< lam-dot / lam = N : F_rate [1/s]
+    Mat3<T>                    F;          ///< deformation gradient
+    Mat3<T>                    F_rate;     ///< its time derivative [1/s]
+    Vec3<C>                    a0;         ///< of the Deformation
+    C                          activation; ///< of the Deformation
+    const curves::FibreCurves *curves;     ///< of the Deformation
+    T                          J;          ///< det F
+    Mat3<T>                    H;          ///< F^(-T) = dJ/dF / J
+    T                          power;      ///< J^(-2/3)
+    T                          I1;         ///< J^(-2/3) tr(F^T F)
+    Vec3<T>                    a;          ///< F a0
+    T                          square;     ///< 1/|a|^2
+    T                          lam;        ///< isochoric stretch J^(-1/3) |a| of the fibre
+    Mat3<T>                    N;          ///< d lam/dF / lam = a (x) a0 / |a|^2 - H/3
+    T                          growth;     ///< lam-dot / lam = N : F_rate [1/s]
 
+    /// At F = @p gradient and F_rate = @p rate, which may have derivatives; the rest is that of @p at.
     MYOLINES_INLINE Strain(const Mat3<T> &gradient, const Mat3<T> &rate, const Deformation<C> &at)
       : F(gradient)
       , F_rate(rate)
@@ -59,6 +61,7 @@ namespace myolines
     }
   };
 
+  /// Without derivatives.
   template <typename T>
   MYOLINES_INLINE Strain<T> strain(const Deformation<T> &at)
   {
@@ -71,6 +74,7 @@ namespace myolines
   {
     return curve(x).value;
   }
+  /// The same with derivatives.
   template <typename Curve, typename T, int n>
   MYOLINES_INLINE Dual<T, n> value_of(const Curve &curve, const Dual<T, n> &x)
   {

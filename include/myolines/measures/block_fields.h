@@ -15,15 +15,16 @@ namespace myolines
   class BlockFields
   {
   public:
+    /// Places of the fields in Values.
     enum Value
     {
       displacement = 0, ///< 3 [m]
       velocity     = 3, ///< 3 [m/s]
       pressure     = 6, ///< [Pa]
       dilatation   = 7, ///< [-]
-      n_values     = 8
+      n_values     = 8  ///< how many numbers there are
     };
-    using Values = std::array<double, n_values>;
+    using Values = std::array<double, n_values>; ///< All fields at one point.
 
     /// A cell along an axis and the coordinate in it.
     using Place = std::pair<unsigned int, double>;
@@ -31,9 +32,9 @@ namespace myolines
     /// Copies what it needs. The @p system is whole on this rank (MPI_COMM_SELF) and its mesh was not moved.
     BlockFields(const Muscle3dSystem &system, const State &state);
 
-    const std::array<double, 3>       &size() const { return size_; }   ///< of the block [m]
-    const std::array<unsigned int, 3> &cells() const { return cells_; } ///< along each axis
-    unsigned int                       degree() const { return degree_; }
+    const std::array<double, 3>       &size() const { return size_; }     ///< of the block [m]
+    const std::array<unsigned int, 3> &cells() const { return cells_; }   ///< along each axis
+    unsigned int                       degree() const { return degree_; } ///< k, of the displacement
 
     /// Shape functions at places on an axis, computed once for all points that share them.
     struct Axis
@@ -42,7 +43,7 @@ namespace myolines
       std::vector<double>       shapes; ///< [places][k + 1]
       std::vector<double>       modes;  ///< [places][k], Legendre polynomials
     };
-    Axis axis(const std::vector<Place> &places) const;
+    Axis axis(const std::vector<Place> &places) const; ///< The @p places in the order given, for values().
 
     /// The fields at place @p i of @p x, @p j of @p y and @p k of @p z.
     Values values(const Axis &x, std::size_t i, const Axis &y, std::size_t j, const Axis &z, std::size_t k) const;

@@ -27,6 +27,7 @@ namespace myolines
       none     ///< nowhere: the line is longer than ten bodies
     };
 
+    /// One line at one state.
     struct Shape
     {
       double length;    ///< [m]
@@ -62,6 +63,7 @@ namespace myolines
   class ReferenceFibre
   {
   public:
+    /// @p system outlives the object. Nothing is traced yet.
     explicit ReferenceFibre(const Muscle3dSystem &system)
       : system_(system)
     {}

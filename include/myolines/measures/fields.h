@@ -22,10 +22,10 @@ namespace myolines
   /// Points and cells that write_fields_hdf5() writes, on all ranks: every cell in degree^3 parts, with vertices of their own.
   struct FieldSizes
   {
-    std::uint64_t points;
-    std::uint64_t cells;
+    std::uint64_t points; ///< vertices of the parts, those of neighbours counted each
+    std::uint64_t cells;  ///< parts
   };
-  FieldSizes field_sizes(const Muscle3dSystem &system);
+  FieldSizes field_sizes(const Muscle3dSystem &system); ///< Collective.
 
   /// Writes @p fields of @p state to the HDF5 file folder/file, one table for each, and, if @p mesh is given, points ("nodes") and vertices
   /// of the cells ("cells") to folder/mesh. The tables of a mesh fit as long as the ranks that share it are the same.

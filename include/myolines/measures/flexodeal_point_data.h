@@ -10,7 +10,8 @@ namespace myolines
   // The tables of all quadrature points in the binary format of Flexodeal (thesis, tables 6.2 and 6.3): rows of 32-bit numbers, point after
   // point, cells in the order of the forest, x fastest within a cell. Collective. @throws SystemError.
 
-  constexpr unsigned int n_main_columns = 21, n_tensor_columns = 69;
+  constexpr unsigned int n_main_columns   = 21; ///< numbers in a row of the main table
+  constexpr unsigned int n_tensor_columns = 69; ///< numbers in a row of that of tensors
 
   /// Positions, JxW, det F, displacement, velocity, pressure, dilatation, stretches, strain rates, fibre vector, tissue.
   void write_main_points(const Muscle3dSystem &system, const State &state, const std::filesystem::path &file);

@@ -11,9 +11,11 @@ namespace myolines
   /// A quantity at quadrature points: the name that Flexodeal gives its column, unit and meaning.
   struct PointColumn
   {
-    std::string name, unit, meaning;
+    std::string name;    ///< as Flexodeal has it
+    std::string unit;    ///< "Pa", "" for pure numbers
+    std::string meaning; ///< a few words
   };
-  const std::vector<PointColumn> &point_columns();
+  const std::vector<PointColumn> &point_columns(); ///< All quantities that there are.
 
   /// Writes @p columns (names of point_columns()) of @p state to the HDF5 file @p file, one table of doubles for each, with its unit as
   /// attribute; attribute "Time [s]" of the file. Rows are the quadrature points of cell after cell, x fastest, cells in the order of

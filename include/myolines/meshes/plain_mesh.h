@@ -13,40 +13,44 @@ namespace myolines
   /// but that all numbers of points are there.
   struct PlainMesh
   {
+    /// Shape of a cell or a face.
     enum class Shape
     {
-      triangle,
-      quadrilateral,
-      tetrahedron,
-      pyramid,
-      wedge,
-      hexahedron
+      triangle,      ///< 3 corners
+      quadrilateral, ///< 4 corners
+      tetrahedron,   ///< 4 corners
+      pyramid,       ///< 5 corners
+      wedge,         ///< 6 corners
+      hexahedron     ///< 8 corners
     };
 
-    using Position = std::array<double, 3>;
+    using Position = std::array<double, 3>; ///< A place, in the unit of the file.
 
     /// A cell or a face. Corners go round: of the base and then, above it, of the top or the apex. Seen from there the base is
     /// counter-clockwise in cells that are right-handed.
     struct Element
     {
-      Shape                       shape;
-      int                         group; ///< 0: none
-      std::array<unsigned int, 8> corner;
+      Shape                       shape;  ///< how many of the corners count
+      int                         group;  ///< 0: none
+      std::array<unsigned int, 8> corner; ///< places in the list of points
     };
 
     /// Numbers at cells or at points.
     struct Field
     {
-      std::string         name;
-      unsigned int        n_components;
-      std::vector<double> values; ///< [cells or points][components]
+      std::string         name;         ///< as in the file
+      unsigned int        n_components; ///< of a cell or point
+      std::vector<double> values;       ///< [cells or points][components]
     };
 
-    std::vector<Position>                   points;                   ///< as written, without a unit
-    std::vector<Element>                    cells, faces;             ///< a face in several groups is there for each
-    std::map<std::size_t, std::vector<int>> further_groups;           ///< of cells in several groups, by place in the list
-    std::map<int, std::string>              cell_groups, face_groups; ///< names by number, where they have one
-    std::vector<Field>                      cell_fields, point_fields;
+    std::vector<Position>                   points;           ///< as written, without a unit
+    std::vector<Element>                    cells;            ///< of any shape
+    std::vector<Element>                    faces;            ///< that the file names or numbers; one in several groups is there for each
+    std::map<std::size_t, std::vector<int>> further_groups;   ///< of cells in several groups, by place in the list
+    std::map<int, std::string>              cell_groups;      ///< names of groups of cells by number, where they have one
+    std::map<int, std::string>              face_groups;      ///< names of groups of faces, likewise
+    std::vector<Field>                      cell_fields;      ///< numbers at cells
+    std::vector<Field>                      point_fields;     ///< numbers at points
     std::size_t                             straightened = 0; ///< cells of higher order, of which the corners are kept
     std::string                             format;           ///< "Gmsh 4.1, binary"
   };
@@ -65,8 +69,8 @@ namespace myolines
 
   /// Corners of a face, ascending; the fourth of a triangle is no_corner.
   using FaceKey                    = std::array<unsigned int, 4>;
-  constexpr unsigned int no_corner = 0xFFFFFFFF;
-  FaceKey                face_key(const PlainMesh::Element &face);
+  constexpr unsigned int no_corner = 0xFFFFFFFF;                   ///< the number of no point
+  FaceKey                face_key(const PlainMesh::Element &face); ///< Those of @p face.
 
   /// Face @p f of a cell, a triangle or a quadrilateral.
   PlainMesh::Element face_of(const PlainMesh::Element &cell, unsigned int f);

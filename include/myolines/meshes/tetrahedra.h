@@ -8,8 +8,8 @@ namespace myolines
   /// A part of a cell.
   struct Tetrahedron
   {
-    std::size_t                 cell; ///< place in the list of cells
-    std::array<unsigned int, 4> corner;
+    std::size_t                 cell;   ///< place in the list of cells
+    std::array<unsigned int, 4> corner; ///< places in the list of points
   };
 
   /// The cells cut into tetrahedra along the diagonals of their faces from the corner with the lowest number, so that they fit together:

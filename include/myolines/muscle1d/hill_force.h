@@ -21,7 +21,7 @@ namespace myolines
     /// Those of elasticity: lambda = E nu/((1 + nu)(1 - 2 nu)), mu = E/(2 (1 + nu)) with E = 3 (1 - 2 nu) in units of kappa.
     static BaseMaterial corrected(double fraction, double ratio, double poisson_ratio);
 
-    hill::Curve force(double stretch) const;
+    hill::Curve force(double stretch) const; ///< F_NH and its slope, without the fraction
   };
 
   /// Force of a muscle element over its maximum isometric force F_0, thesis (2.2.3) and (3.3.11):
@@ -34,11 +34,12 @@ namespace myolines
     double       maximum_strain_rate = 5;    ///< e_0 [1/s]
     double       damping             = 0;    ///< eta [-]
     bool         force_velocity      = true; ///< false: F_V = 1, for what is said of muscles without it
-    BaseMaterial base;
+    BaseMaterial base;                       ///< chi and F_NH
 
+    /// The force and its derivatives.
     struct Value
     {
-      double force;
+      double force;         ///< f [-]
       double by_stretch;    ///< df/dl
       double by_rate;       ///< df/dl' [s]
       double by_activation; ///< df/da
@@ -53,5 +54,5 @@ namespace myolines
 
   /// The list `base material`: fraction, ratio, Poisson's ratio, Lame parameters.
   scene::Schema base_material_schema();
-  BaseMaterial  read_base_material(const scene::Node &system);
+  BaseMaterial  read_base_material(const scene::Node &system); ///< Reads that list.
 } // namespace myolines

@@ -32,23 +32,24 @@ namespace myolines
     std::shared_ptr<const Drive> unit_length;    ///< L(t) of muscle and tendon [m]
   };
 
+  /// What Muscle1dSystem is made of; the symbols are those of its equation.
   struct Muscle1dParameters
   {
     double       optimal_length  = 0.3; ///< l_M [m]
     double       maximum_force   = 525; ///< F_0 [N]
     double       mass            = 0;   ///< m [kg]
     double       initial_stretch = 1;   ///< of all elements
-    unsigned int n_elements      = 1;
-    unsigned int degree          = 1; ///< of the elements
+    unsigned int n_elements      = 1;   ///< in the length of the muscle
+    unsigned int degree          = 1;   ///< of the elements
     double       grading         = 1; ///< length of the last element, at the tendon, over that of the first; in between a geometric series
-    MassOf       mass_of         = MassOf::points;
-    HillForce    force;
-    double       front_viscosity = 0; ///< b [-] of Muscle1dSystem
+    MassOf       mass_of         = MassOf::points; ///< how the mass is spread
+    HillForce    force;                            ///< f(l, e, a)
+    double       front_viscosity = 0;              ///< b [-] of Muscle1dSystem
 
     std::shared_ptr<const Drive> excitation; ///< none: unknown, the activation alone is given
     std::shared_ptr<const Drive> activation; ///< none: Zajac's equation is solved with the motion, for the excitation
-    Zajac                        zajac;
-    std::optional<Tendon>        tendon; ///< none: the end of the muscle is fixed
+    Zajac                        zajac;      ///< from excitation to activation
+    std::optional<Tendon>        tendon;     ///< none: the end of the muscle is fixed
 
     std::vector<double> initial_displacement; ///< of the free nodes [m]; empty: none
 
@@ -95,14 +96,14 @@ namespace myolines
     void                           linearise(const Point &point, Linearisation &linearisation) const override;
     std::vector<double>            events(double t0, double t1) const override;
 
-    const Muscle1dParameters &parameters() const { return parameters_; }
+    const Muscle1dParameters &parameters() const { return parameters_; } ///< those of the constructor
 
     /// Lengths, forces, mass and Reynolds number that follow from the parameters, for `check`.
     std::vector<std::string> plan() const;
 
     // What a state says; the arguments are the u, or u and v, of the state.
 
-    double              activation(double t, const Vector &u) const;
+    double              activation(double t, const Vector &u) const;     ///< given, or where it is solved that of the first element
     double              muscle_stretch(const Vector &u) const;           ///< of the whole muscle, x(l_M)/l_M
     double              muscle_strain_rate(const Vector &v) const;       ///< over e_0
     std::vector<double> element_stretches(const Vector &u) const;        ///< mean ones

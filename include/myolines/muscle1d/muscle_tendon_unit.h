@@ -13,13 +13,13 @@ namespace myolines
   {
     double maximum_stress      = 225e3; ///< sigma_0 [Pa]
     double maximum_strain_rate = 5;     ///< e_0 [1/s]
-    Zajac  zajac;
-    double volume_fraction;    ///< chi_M, of one lower leg
-    double length_ratio;       ///< r_M, of muscle to muscle and tendon
-    double unit_length;        ///< optimal length of muscle and tendon [m]
-    double density     = 1060; ///< [kg/m^3]
-    double body_mass   = 68;   ///< W [kg]
-    double body_height = 1.67; ///< H [m]
+    Zajac  zajac;                       ///< time constants of the activation
+    double volume_fraction;             ///< chi_M, of one lower leg
+    double length_ratio;                ///< r_M, of muscle to muscle and tendon
+    double unit_length;                 ///< optimal length of muscle and tendon [m]
+    double density     = 1060;          ///< [kg/m^3]
+    double body_mass   = 68;            ///< W [kg]
+    double body_height = 1.67;          ///< H [m]
 
     /// @p muscle MG, VM or ST (medial gastrocnemius, vastus medialis, semitendinosus); @p task walking, running (subject 1) or
     /// cycling (subject 2). @throws std::out_of_range for others.
@@ -49,10 +49,12 @@ namespace myolines
   double musculoskeletal_reynolds_number(double density, double length, double maximum_strain_rate, double maximum_stress);
 
   /// A muscle of N masses with a tendon, N = 0: without mass; thesis chapter 2.
-  scene::Schema      muscle_tendon_unit_schema();
+  scene::Schema muscle_tendon_unit_schema();
+  /// Reads that list. @throws InputError for what ranges cannot express.
   Muscle1dParameters read_muscle_tendon_unit(const scene::Node &system);
 
   /// The same muscle as a continuum, thesis (3.3.6) with the tendon's force at its end, and base material (3.3.11).
-  scene::Schema      continuum_muscle_schema();
-  Muscle1dParameters read_continuum_muscle(const scene::Node &system);
+  scene::Schema continuum_muscle_schema();
+  Muscle1dParameters
+  read_continuum_muscle(const scene::Node &system); ///< Reads that list. @throws InputError for what ranges cannot express.
 } // namespace myolines

@@ -14,5 +14,5 @@ namespace myolines
   /// reads them. @throws InputError for activations outside activation_range, excitations
   /// outside [0, 1] and for what is given twice.
   void add_activation(scene::Schema &system);
-  void read_activation(const scene::Node &system, Muscle3dParameters &parameters);
+  void read_activation(const scene::Node &system, Muscle3dParameters &parameters); ///< The reading of these lists.
 } // namespace myolines

@@ -15,28 +15,32 @@ namespace myolines
   /// Where stress comes from.
   enum StressPart
   {
-    volumetric_part,
-    muscle_active,
-    muscle_passive,
-    muscle_base,
-    aponeurosis_fibre,
-    aponeurosis_base,
-    tendon_fibre,
-    tendon_base,
-    fat_part,
-    n_stress_parts ///< of the printed tissues; laws have theirs behind
+    volumetric_part,   ///< p J H, of all tissues
+    muscle_active,     ///< active fibres of muscle
+    muscle_passive,    ///< passive fibres of muscle
+    muscle_base,       ///< isotropic part of muscle
+    aponeurosis_fibre, ///< fibres of aponeurosis
+    aponeurosis_base,  ///< isotropic part of aponeurosis
+    tendon_fibre,      ///< fibres of tendon
+    tendon_base,       ///< isotropic part of tendon
+    fat_part,          ///< fat within any of them
+    n_stress_parts     ///< of the printed tissues; laws have theirs behind
   };
 
   /// A quantity split by the part of the stress it comes from. The parts add up to the total: each has its weight in the mix.
   template <typename T>
   struct Parts
   {
-    std::array<T, n_stress_parts> part{};
-    std::vector<T>                laws; ///< as Muscle3dParameters::law_parts()
+    std::array<T, n_stress_parts> part{}; ///< by StressPart
+    std::vector<T>                laws;   ///< as Muscle3dParameters::law_parts()
 
+    ///@{
+    /// The quantity of one part.
     T       &operator[](const StressPart p) { return part[p]; }
     const T &operator[](const StressPart p) const { return part[p]; }
+    ///@}
 
+    /// The sum of all parts but the volumetric one.
     T isochoric() const
     {
       T sum{};
@@ -46,7 +50,7 @@ namespace myolines
         sum += law;
       return sum;
     }
-    T total() const { return part[volumetric_part] + isochoric(); }
+    T total() const { return part[volumetric_part] + isochoric(); } ///< The sum of all parts.
 
     /// f(part of this, same part of @p other) for all; this may have no laws yet.
     template <typename Other, typename Function>
@@ -83,7 +87,7 @@ namespace myolines
     double active_power =
         0; ///< what the active stress would do isometrically, - int sigma0 a sA lam-dot/lam, positive while fibres shorten
     double dissipation      = 0; ///< int sigma0 a sA (sV - 1) lam-dot/lam >= 0, and what laws dissipate
-    double body_force_power = 0;
+    double body_force_power = 0; ///< of the force per volume
     double traction_power   = 0; ///< of pressures, isotonic loads and far ends of tendons too
   };
   /// Walks over the body only if it is active. @p side here and below: the limit of given functions at a kink.
@@ -112,15 +116,16 @@ namespace myolines
     double l2_displacement = 0; ///< [m^2.5]
     double l2_pressure     = 0; ///< [Pa m^1.5]
     double min_jacobian    = 0; ///< smallest det F at a quadrature point
-    double max_jacobian    = 0;
+    double max_jacobian    = 0; ///< largest
   };
+  /// All of these in one walk over the body. Collective.
   BodyMeasures measure_body(const Muscle3dSystem &system, const State &state, SlabRule rule, Side side = Side::left);
 
   /// Size of the middle of the body: how far the nodes of the slab reach across the line of action [m].
   struct MiddleSize
   {
     double width     = 0; ///< across line and thickness
-    double thickness = 0;
+    double thickness = 0; ///< along the thickness
   };
   /// @p thickness: unit vector across the line of action, which the system must have.
   MiddleSize measure_middle(const Muscle3dSystem &system, const State &state, const dealii::Tensor<1, 3> &thickness);
@@ -134,15 +139,17 @@ namespace myolines
   /// to the later condition.
   struct Reaction
   {
-    std::string         condition;
+    std::string         condition; ///< its name in the scene
     Vector3             force;     ///< [N]
     double              power = 0; ///< of the residual at the prescribed velocity [W]
     std::vector<double> own;       ///< columns that the condition adds
   };
+  /// One entry for each condition that reacts. Collective.
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state, Side side = Side::left);
 
   /// Kinetic and stored energy [J].
-  double      energy(const BodyMeasures &body);
+  double energy(const BodyMeasures &body);
+  /// Rates for the balance of energy: active, dissipated, and those of loads and moving faces [W].
   EnergyRates energy_rates(const Powers &powers, const std::vector<Reaction> &reactions);
 
 } // namespace myolines

@@ -15,6 +15,7 @@ namespace myolines
   class Loads
   {
   public:
+    /// Borrows discretisation and surface forces. @throws InputError for formulas that cannot be read.
     Loads(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation, const SurfaceForces &surface);
 
     /// Sets u, v, a of prescribed components (ghosts included) to the motion of their boundary conditions.
@@ -22,11 +23,12 @@ namespace myolines
 
     /// r -= F_ext(t), dead loads and body force. Their l2 norm.
     double subtract_external(double t, Side side, Vector &r) const;
-    bool   any_external() const { return body_force_ != nullptr || surface_.any_loads(); }
+    /// whether there may be a body force or a dead load
+    bool any_external() const { return body_force_ != nullptr || surface_.any_loads(); }
 
     /// Power at velocity @p v [W].
     double load_power(double t, Side side, const Vector &v) const; ///< of dead loads
-    double body_force_power(double t, const Vector &v) const;
+    double body_force_power(double t, const Vector &v) const;      ///< of the body force
 
   private:
     struct Motion

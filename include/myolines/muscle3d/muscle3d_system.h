@@ -32,6 +32,7 @@ namespace myolines
   class Muscle3dSystem : public SemiDiscreteSystem
   {
   public:
+    /// Makes mesh, materials and constraints on the ranks of @p communicator. Collective. @throws InputError
     Muscle3dSystem(Muscle3dParameters parameters, MPI_Comm communicator, WorkLedger &ledger,
                    InstructionSet instruction_set = widest_instruction_set());
     ~Muscle3dSystem() override;
@@ -51,14 +52,14 @@ namespace myolines
     std::vector<double>                 events(double t0, double t1) const override;
     std::vector<unsigned int>           canonical_order() const override;
 
-    const Muscle3dParameters     &parameters() const { return parameters_; }
-    const Muscle3dDiscretisation &discretisation() const { return *discretisation_; }
-    const Loads                  &loads() const { return *loads_; }
-    const SurfaceForces          &surface_forces() const { return *surface_forces_; }
-    CellSweep                     sweep() const; ///< of the kernels over the body
+    const Muscle3dParameters     &parameters() const { return parameters_; }          ///< those of the constructor
+    const Muscle3dDiscretisation &discretisation() const { return *discretisation_; } ///< mesh, nodes and kernels
+    const Loads                  &loads() const { return *loads_; }                   ///< prescribed motions, dead loads, body force
+    const SurfaceForces          &surface_forces() const { return *surface_forces_; } ///< forces of supports and loads at faces
+    CellSweep                     sweep() const;                                      ///< of the kernels over the body
     /// Along which the body is measured.
     const LineChoice &line_of_action() const { return line_; }
-    std::size_t       n_cells() const;
+    std::size_t       n_cells() const; ///< on all ranks
     /// Activation at time t, 0 without one.
     Activation activation(double t, Side side = Side::left) const { return parameters_.activation_at(t, side); }
 
@@ -103,5 +104,5 @@ namespace myolines
     double patch_bytes   = 0; ///< on each rank: inverses of patches; 0: the system has no two levels
     double coarse_bytes  = 0; ///< on each rank: coarse level, its hierarchy, and the cheaper tangent that goes with it
   };
-  Muscle3dSizes estimate_sizes(const Muscle3dParameters &parameters, unsigned int ranks);
+  Muscle3dSizes estimate_sizes(const Muscle3dParameters &parameters, unsigned int ranks); ///< Those of a run on @p ranks ranks.
 } // namespace myolines

@@ -23,7 +23,8 @@ namespace myolines
 
     /// n_material_values lanes of point q stand at values(b) + q * stride(b).
     const double *values(const unsigned int b) const { return &values_[batches_[b].first]; }
-    unsigned int  stride(const unsigned int b) const { return batches_[b].stride; }
+    /// doubles from one point to the next, 0 where all points of the batch are alike
+    unsigned int stride(const unsigned int b) const { return batches_[b].stride; }
     /// Material of a point in one lane.
     Material at(unsigned int b, int q, unsigned int lane) const;
     /// What the fields get wrong on this rank, a sentence about "system/fields"; else empty.
@@ -32,15 +33,16 @@ namespace myolines
     const std::vector<unsigned int> &points_of_region() const { return points_of_region_; }
     /// Whether some point of the batch has such fibres.
     bool muscle(const unsigned int b) const { return batches_[b].muscle; }
-    bool tendon(const unsigned int b) const { return batches_[b].tendon; }
+    bool tendon(const unsigned int b) const { return batches_[b].tendon; } ///< those of tendon or aponeurosis
 
     /// Laws that are added on the points of the batch; borrowed.
     struct Laws
     {
-      const LawTerm *terms;
-      int            n;
+      const LawTerm *terms; ///< the first of them
+      int            n;     ///< how many there are
       double         shear; ///< their modulus at rest together [Pa], the largest of the tissues
     };
+    /// Those of batch @p b.
     Laws laws(const unsigned int b) const
     {
       const Batch &batch = batches_[b];

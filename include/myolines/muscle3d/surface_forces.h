@@ -15,12 +15,14 @@ namespace myolines
   class SurfaceForces
   {
   public:
+    /// Finds the points of the faces. @p discretisation outlives the object. Collective. @throws InputError for a condition that acts on no
+    /// area.
     SurfaceForces(const Muscle3dParameters &parameters, const Muscle3dDiscretisation &discretisation);
 
     // Whether there are any, on any rank.
-    bool any() const { return has_[pushing]; } ///< that depend on the motion
-    bool any_loads() const { return has_[loading]; }
-    bool rates() const { return rates_; } ///< whether forces depend on the velocity
+    bool any() const { return has_[pushing]; }       ///< that depend on the motion
+    bool any_loads() const { return has_[loading]; } ///< that do not: dead loads
+    bool rates() const { return rates_; }            ///< whether forces depend on the velocity
 
     /// r -= forces that depend on the motion. @p point: its vectors have current ghosts, v where rates(). Not compressed.
     /// The size of the forces [N], over all ranks.
@@ -32,11 +34,11 @@ namespace myolines
     /// -dF/du and -dF/dv of one face of a cell: rows and columns are 3 i + c, i counts the nodes of the face.
     struct Tangent
     {
-      NodeSpace::Cell                  cell;
-      const std::vector<unsigned int> &nodes;  ///< local numbers of the nodes in vectors
-      const std::vector<int>          &places; ///< their lexicographic numbers in the cell
-      dealii::FullMatrix<double>       stiffness;
-      dealii::FullMatrix<double>       damping; ///< empty where the force does not depend on the velocity
+      NodeSpace::Cell                  cell;      ///< that has the face
+      const std::vector<unsigned int> &nodes;     ///< local numbers of the nodes in vectors
+      const std::vector<int>          &places;    ///< their lexicographic numbers in the cell
+      dealii::FullMatrix<double>       stiffness; ///< -dF/du [N/m]
+      dealii::FullMatrix<double>       damping;   ///< empty where the force does not depend on the velocity
     };
     /// Of all faces of owned and ghost cells, ghosts as above.
     std::vector<Tangent> tangents(const Point &point, bool symmetrised) const;
@@ -49,7 +51,7 @@ namespace myolines
       double dissipation = 0; ///< >= 0 [W]
       double on_body     = 0; ///< [W]
     };
-    /// @p of: of one condition alone.
+    /// Collective. @p of: of one condition alone.
     Work work(const Point &point, const BoundaryCondition *of = nullptr) const;
 
     /// Power of the dead loads of @p condition on the body, over all ranks [W].
@@ -57,7 +59,7 @@ namespace myolines
 
     /// Sums over the face of @p condition, over all ranks [N].
     Vector3 force(const Point &point, const BoundaryCondition &condition) const;
-    Vector3 load(double t, Side side, const BoundaryCondition &condition) const;
+    Vector3 load(double t, Side side, const BoundaryCondition &condition) const; ///< Dead load of @p condition on its face [N]. Collective.
 
   private:
     struct Face

@@ -24,7 +24,8 @@ namespace myolines
 
   /// Parameters of the optional list `quadrature`, and what writes the tables it asks for. @throws InputError for an unknown column.
   /// Ledger: "quadrature outputs"; seconds of "output quadrature".
-  scene::Schema             point_tables_schema();
+  scene::Schema point_tables_schema();
+  /// What writes those tables. @throws InputError for an unknown column.
   std::unique_ptr<Observer> make_point_tables(const scene::Node &quadrature, const Muscle3dSystem &system, const OutputFolder &folder,
                                               WorkLedger &ledger);
 

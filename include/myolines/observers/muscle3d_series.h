@@ -22,7 +22,7 @@ namespace myolines
   public:
     virtual ~SeriesFile() = default;
 
-    virtual void row(const Muscle3dSample &sample, std::size_t step) = 0;
+    virtual void row(const Muscle3dSample &sample, std::size_t step) = 0; ///< writes a row; @p step: accepted steps so far
 
     virtual void pass(const Muscle3dSample &) {}       ///< after an accepted step without a row
     virtual void restarting(const Muscle3dSample &) {} ///< as Observer::restarting()
@@ -30,7 +30,7 @@ namespace myolines
 
     /// As those of Observer.
     virtual const EnergyBalance *energy_balance() const { return nullptr; }
-    virtual void                 save(Archive &) const {}
+    virtual void                 save(Archive &) const {} ///< As Observer::save().
   };
 
   /// A file whose row is a function of the sample alone.
@@ -40,10 +40,10 @@ namespace myolines
   /// What the making of a series may look at.
   struct SeriesContext
   {
-    const scene::Node          &series; ///< the list `output/series`
-    const Muscle3dSystem       &system;
-    const OutputFolder         &folder;
-    const ReferenceFibre       &fibre;
+    const scene::Node          &series;     ///< the list `output/series`
+    const Muscle3dSystem       &system;     ///< that of the run
+    const OutputFolder         &folder;     ///< that files go to
+    const ReferenceFibre       &fibre;      ///< L_f0
     std::optional<unsigned int> force_face; ///< whose force is reported; there is one where there is a line of action
   };
 
@@ -51,29 +51,29 @@ namespace myolines
   /// error.
   enum class SeriesNeeds
   {
-    nothing,
-    velocities, ///< a dynamic system
-    line,       ///< a line of action
-    velocities_and_line
+    nothing,            ///< fits every body
+    velocities,         ///< a dynamic system
+    line,               ///< a line of action
+    velocities_and_line ///< both
   };
 
   /// A series: what its file in `outputs/` gives to the list of all.
   struct SeriesEntry
   {
-    std::string name; ///< of the parameter that asks for it
-    bool        default_on;
-    SeriesNeeds needs;
+    std::string name;       ///< of the parameter that asks for it
+    bool        default_on; ///< asked for unless the scene says no
+    SeriesNeeds needs;      ///< of the body
 
     std::function<void(scene::Schema &)>                              declare; ///< that parameter, and others of its own
-    std::function<bool(const scene::Node &)>                          wanted;
-    std::function<std::unique_ptr<SeriesFile>(const SeriesContext &)> make; ///< nullptr: there is nothing to write
+    std::function<bool(const scene::Node &)>                          wanted;  ///< whether the list `output/series` asks for it
+    std::function<std::unique_ptr<SeriesFile>(const SeriesContext &)> make;    ///< nullptr: there is nothing to write
   };
 
   /// An entry whose parameter is a switch, @p doc its declaration: "shape.csv: ...".
   SeriesEntry switched_series(const std::string &name, bool default_on, SeriesNeeds needs, const std::string &doc,
                               std::function<std::unique_ptr<SeriesFile>(const SeriesContext &)> make);
 
-  inline const std::string &name_of(const SeriesEntry &entry) { return entry.name; }
+  inline const std::string &name_of(const SeriesEntry &entry) { return entry.name; } ///< For Registry.
 
   /// All series, in the order of `outputs/list.def`, then those of plug-ins.
   Registry<SeriesEntry> &series_registry();

@@ -17,6 +17,7 @@
 
 namespace myolines
 {
+  ///@{
   /// Parameters of the list `output` for each system.
   scene::Schema muscle3d_output_schema();
   scene::Schema oscillator_output_schema();
@@ -24,7 +25,9 @@ namespace myolines
   scene::Schema rod1d_output_schema();
   scene::Schema muscle_tendon_output_schema();
   scene::Schema isometric_chain_output_schema();
+  ///@}
 
+  ///@{
   /// The observers a scene asks for; they write into @p folder, which exists and is writable. Made on all ranks alike.
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle3dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &ledger);
@@ -36,4 +39,5 @@ namespace myolines
                                                       WorkLedger &ledger);
   std::vector<std::unique_ptr<Observer>> make_outputs(const scene::Node &output, const Muscle1dSystem &system, const OutputFolder &folder,
                                                       WorkLedger &ledger);
+  ///@}
 } // namespace myolines

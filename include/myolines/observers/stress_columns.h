@@ -13,6 +13,7 @@ namespace myolines
   class StressParts
   {
   public:
+    /// Those of the tissues that the cells of the body are made of, fat and laws.
     explicit StressParts(const Muscle3dParameters &parameters)
       : chosen_{{muscle_active, "Muscle active"}, {muscle_passive, "Muscle passive"}, {muscle_base, "Muscle base"}}
     {
@@ -39,6 +40,7 @@ namespace myolines
       return all;
     }
 
+    /// The numbers under names(), in the same order.
     template <typename T>
     std::vector<T> values(const Parts<T> &parts) const
     {

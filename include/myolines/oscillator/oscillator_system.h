@@ -22,8 +22,8 @@ namespace myolines
     std::shared_ptr<const Drive> support;             ///< s [m], nullptr: at rest; then unknown 1 is the support
   };
 
-  scene::Schema        oscillator_schema();
-  OscillatorParameters read_oscillator(const scene::Node &system);
+  scene::Schema        oscillator_schema();                        ///< Declaration of the list `system` of an oscillator.
+  OscillatorParameters read_oscillator(const scene::Node &system); ///< Reads that list.
 
   /// One mass on a spring; the smallest system there is. Unknown 0 is the mass; with a moving support unknown 1
   /// is the support, prescribed as u_1 = s(t), and its row of the residual is the force the support exerts.
@@ -31,7 +31,7 @@ namespace myolines
   class OscillatorSystem : public SemiDiscreteSystem
   {
   public:
-    OscillatorSystem(OscillatorParameters parameters, WorkLedger &ledger);
+    OscillatorSystem(OscillatorParameters parameters, WorkLedger &ledger); ///< One rank computes it.
 
     Capabilities                        capabilities() const override;
     std::size_t                         n_unknowns() const override;
@@ -45,7 +45,7 @@ namespace myolines
     Energetics                          energetics(const State &state, Side side) const override;
     std::vector<double>                 events(double t0, double t1) const override;
 
-    const OscillatorParameters &parameters() const { return parameters_; }
+    const OscillatorParameters &parameters() const { return parameters_; } ///< those of the constructor
 
   private:
     OscillatorParameters parameters_;

@@ -16,9 +16,11 @@ namespace myolines
   /// Everything a run needs to go on where it was.
   struct Checkpoint
   {
-    std::size_t  step = 0; ///< accepted steps
-    State        state;    ///< u, v, a and the time
-    Archive      integrator, control, outputs;
+    std::size_t  step = 0;        ///< accepted steps
+    State        state;           ///< u, v, a and the time
+    Archive      integrator;      ///< what the method remembers
+    Archive      control;         ///< what the control of steps remembers
+    Archive      outputs;         ///< what the observers remember
     WorkLedger   ledger;          ///< of rank 0
     std::string  scene;           ///< every value in force, as scene.resolved.xml
     unsigned int ranks = 1;       ///< that wrote it

@@ -16,11 +16,11 @@ namespace myolines
   /// What a run is made of; borrowed.
   struct RunParts
   {
-    const SemiDiscreteSystem          &system;
-    const TimeMethod                  &integrator;
-    const StepControl                 *control; ///< or none: the integrator chooses its steps
-    const std::vector<Observer *>     &observers;
-    WorkLedger                        &ledger;
+    const SemiDiscreteSystem          &system;          ///< what is advanced
+    const TimeMethod                  &integrator;      ///< by what
+    const StepControl                 *control;         ///< or none: the integrator chooses its steps
+    const std::vector<Observer *>     &observers;       ///< outputs
+    WorkLedger                        &ledger;          ///< of the run
     std::string                        scene;           ///< every value in force
     std::map<std::string, std::string> inputs;          ///< see Checkpoint
     std::string                        instruction_set; ///< of the cell kernels

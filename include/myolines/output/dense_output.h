@@ -22,8 +22,8 @@ namespace myolines
 
   /// The first of some instants from a time on [s]; infinity if there is none.
   using Instants = std::function<double(double from)>;
-  Instants multiples_of(double interval);
-  Instants instants(std::vector<double> ascending);
+  Instants multiples_of(double interval);           ///< 0, interval, 2 interval, ... [s]
+  Instants instants(std::vector<double> ascending); ///< those of the list [s]
 
   /// Writes at instants that have nothing to do with the steps, and changes none of these.
   class DenseOutput : public Observer
@@ -40,7 +40,7 @@ namespace myolines
     void save(Archive &archive) const override { archive.put(name_, written_); }
 
   protected:
-    virtual void write(double t, const State &state) = 0;
+    virtual void write(double t, const State &state) = 0; ///< @p state is that at the instant @p t
 
   private:
     double after(double t) const; ///< the first instant behind @p t

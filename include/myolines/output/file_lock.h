@@ -11,16 +11,17 @@ namespace myolines
   class FileLock
   {
   public:
+    /// Who else may have the lock.
     enum class Kind
     {
-      shared,
-      exclusive
+      shared,   ///< others that share it
+      exclusive ///< nobody
     };
 
     /// @p holder is what another process that has it would be: "another run", for the message. A file system that knows no locks gives
     /// none. @throws InputError if another process has it.
     FileLock(const std::filesystem::path &file, Kind kind, const std::string &holder);
-    ~FileLock();
+    ~FileLock(); ///< Gives the lock back.
     FileLock(const FileLock &)            = delete;
     FileLock &operator=(const FileLock &) = delete;
 

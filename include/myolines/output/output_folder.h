@@ -19,6 +19,7 @@ namespace myolines
   class OutputFolder
   {
   public:
+    /// @p folder exists; @p saved_outputs of a resumed run are borrowed.
     OutputFolder(std::filesystem::path folder, const Archive *saved_outputs = nullptr);
 
     /// The same folder, in which files that the run has not noted are left alone.
@@ -33,10 +34,10 @@ namespace myolines
     /// No folder: rows of tables go to @p reader, on all ranks, and nothing else is written; outputs that write other files are not made.
     static OutputFolder read_by(RowReader reader);
 
-    bool             rows_are_read() const { return static_cast<bool>(list_->reader); }
-    const RowReader &reader() const { return list_->reader; }
+    bool             rows_are_read() const { return static_cast<bool>(list_->reader); } ///< whether rows go to a reader
+    const RowReader &reader() const { return list_->reader; }                           ///< that of read_by()
 
-    std::filesystem::path path;
+    std::filesystem::path path;  ///< of the folder
     const Archive        *saved; ///< nullptr in a run from its start; borrowed
 
     /// The place of the file @p name, which the run will write; noted. Collective.

@@ -15,6 +15,7 @@ namespace myolines
   class PeriodicOutput : public Observer
   {
   public:
+    /// @p every steps, > 0, or at the @p instants [s], ascending.
     explicit PeriodicOutput(const std::size_t every, std::vector<double> instants = {})
       : every_(every)
       , instants_(std::move(instants))
@@ -47,7 +48,7 @@ namespace myolines
     void measure(const State &state, const Side side) final { write(state, side, step_); }
 
   protected:
-    virtual void write(const State &state, Side side, std::size_t step) = 0;
+    virtual void write(const State &state, Side side, std::size_t step) = 0; ///< @p step: accepted steps so far; loads are those of @p side
 
     /// After an accepted step without output: for what must be followed in time.
     virtual void pass(const State &) {}

@@ -17,7 +17,7 @@ namespace myolines
     /// disk refuses.
     explicit RunFolder(std::filesystem::path folder);
 
-    const std::filesystem::path &path() const { return path_; }
+    const std::filesystem::path &path() const { return path_; } ///< of the folder
 
     /// For a run from its start: what an earlier run left goes, so that old results never stand beside new ones. Results of the same scene
     /// with other values are moved to the folder earlier-1 (or -2, ...) in this one, unless they are to @p overwrite. Writes the manifest

@@ -24,14 +24,15 @@ namespace myolines
     std::shared_ptr<const Drive> support;             ///< s [m]
   };
 
-  scene::Schema       mass_chain_schema();
+  scene::Schema mass_chain_schema(); ///< Declaration of the list `system` of a mass chain.
+  /// Reads that list. @throws InputError for lists of different lengths and masses that are not positive.
   MassChainParameters read_mass_chain(const scene::Node &system);
 
   /// The chain, from rest at u = 0. The row of the support is the force that moves it.
   class MassChain : public ParticleSystem
   {
   public:
-    MassChain(MassChainParameters parameters, WorkLedger &ledger);
+    MassChain(MassChainParameters parameters, WorkLedger &ledger); ///< One rank computes it.
 
     Capabilities                   capabilities() const override;
     std::size_t                    n_unknowns() const override { return layout_.size(); }

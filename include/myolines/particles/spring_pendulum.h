@@ -24,15 +24,16 @@ namespace myolines
     std::array<double, 2> velocity{{0, 1}}; ///< x'(0) [m/s]
   };
 
-  scene::Schema            spring_pendulum_schema();
-  SpringPendulumParameters read_spring_pendulum(const scene::Node &system);
+  scene::Schema spring_pendulum_schema(); ///< Declaration of the list `system` of a spring pendulum.
+  SpringPendulumParameters
+  read_spring_pendulum(const scene::Node &system); ///< Reads that list. @throws InputError for a mass at the origin.
 
   /// The pendulum; unknowns are the coordinates x and y of the mass. Between two states the spring pulls with
   /// k (r_0 + r_1 - 2 L)/(r_0 + r_1) (x_0 + x_1)/2, which does the work W(r_0) - W(r_1) of W = k/2 (r - L)^2 and has no moment.
   class SpringPendulum : public ParticleSystem
   {
   public:
-    SpringPendulum(SpringPendulumParameters parameters, WorkLedger &ledger);
+    SpringPendulum(SpringPendulumParameters parameters, WorkLedger &ledger); ///< One rank computes it.
 
     Capabilities                   capabilities() const override;
     std::size_t                    n_unknowns() const override { return 2; }

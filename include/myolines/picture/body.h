@@ -11,7 +11,7 @@
 
 namespace myolines::picture
 {
-  using Vec = dealii::Tensor<1, 3>;
+  using Vec = dealii::Tensor<1, 3>; ///< A place or a vector in space.
 
   /// Numbers at the points of a body.
   struct Field
@@ -29,11 +29,11 @@ namespace myolines::picture
   {
     using Cell = std::array<std::size_t, 8>; ///< points, the first index fastest: (0,0,0), (1,0,0), (0,1,0), ...
 
-    double             t = 0; ///< [s]
-    std::vector<Vec>   rest;  ///< places of the points at rest [m]
-    std::vector<Vec>   now;   ///< places at t [m]; those at rest where the run wrote no displacements
-    std::vector<Cell>  cells;
-    std::vector<Field> fields;
+    double             t = 0;  ///< [s]
+    std::vector<Vec>   rest;   ///< places of the points at rest [m]
+    std::vector<Vec>   now;    ///< places at t [m]; those at rest where the run wrote no displacements
+    std::vector<Cell>  cells;  ///< each with points of its own
+    std::vector<Field> fields; ///< that the run wrote
 
     const Field *find(const std::string &name) const; ///< nullptr if there is none
     /// Whether @p other has the same points at rest and the same cells.
@@ -47,7 +47,7 @@ namespace myolines::picture
     /// From fields.pvd or fields.xdmf in @p folder. @throws InputError where there is none, or it is damaged.
     explicit RunFields(const std::filesystem::path &folder);
 
-    std::size_t size() const { return instants_.size(); }
+    std::size_t size() const { return instants_.size(); }               ///< how many instants there are
     double      time(std::size_t i) const { return instants_.at(i).t; } ///< [s]
     std::size_t nearest(double t) const;                                ///< the instant nearest to t [s]
     Body        read(std::size_t i) const;                              ///< @throws InputError for files that are missing or damaged

@@ -19,5 +19,5 @@ namespace myolines::picture
     diverging, ///< blue, white, red: for numbers of both signs, 0 in the middle
     tissues    ///< thirds: muscle, aponeurosis, tendon
   };
-  Colour colour_of(ColourMap map, double x);
+  Colour colour_of(ColourMap map, double x); ///< The colour of @p x; numbers outside [0, 1] have that of the nearer end.
 } // namespace myolines::picture

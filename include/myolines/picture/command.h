@@ -8,6 +8,7 @@
 
 namespace myolines::picture
 {
+  /// What `picture` is asked for.
   struct PictureOptions
   {
     std::vector<std::filesystem::path> folders;        ///< output folders of runs

@@ -13,12 +13,13 @@ namespace myolines::picture
   class CellLocator
   {
   public:
-    explicit CellLocator(const Body &body);
+    explicit CellLocator(const Body &body); ///< Sorts the cells into bins.
 
+    /// A place in a cell.
     struct Found
     {
-      std::size_t cell;
-      Vec         xi; ///< coordinates in the cell
+      std::size_t cell; ///< place in Body::cells
+      Vec         xi;   ///< coordinates in the cell
     };
     /// Nothing outside of the body.
     std::optional<Found> find(const Vec &rest) const;
@@ -43,8 +44,8 @@ namespace myolines::picture
   /// A point of such a line at an instant.
   struct LinePoint
   {
-    Vec    now; ///< [m]
-    double value;
+    Vec    now;   ///< [m]
+    double value; ///< of the field
   };
   /// The lines in @p body, with a value of each point of the body. Points that are not in this body's mesh are left out.
   std::vector<std::vector<LinePoint>> follow(const std::vector<std::vector<Vec>> &lines, const Body &body,

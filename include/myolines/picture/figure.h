@@ -26,27 +26,29 @@ namespace myolines::picture
   /// How bodies are drawn.
   struct Style
   {
-    std::string                              field;
-    std::optional<std::pair<double, double>> range; ///< of the colours, in the unit of the field; none: what is there
-    std::optional<Cut>                       cut;
-    double                                   azimuth = 25, elevation = 20; ///< view_of() [degree]
-    unsigned int                             width = 1200;                 ///< [px]
+    std::string                              field;            ///< see values_of()
+    std::optional<std::pair<double, double>> range;            ///< of the colours, in the unit of the field; none: what is there
+    std::optional<Cut>                       cut;              ///< what is taken away; none: nothing
+    double                                   azimuth   = 25;   ///< of view_of() [degree]
+    double                                   elevation = 20;   ///< of view_of() [degree]
+    unsigned int                             width     = 1200; ///< [px]
   };
 
   /// A body to draw.
   struct Panel
   {
-    std::string                   title;
-    std::shared_ptr<const Body>   body;
+    std::string                   title; ///< above the body
+    std::shared_ptr<const Body>   body;  ///< at one instant
     std::vector<std::vector<Vec>> lines; ///< points at rest, fibre_lines(); if there are any, the surface is a veil around them
   };
 
   /// What several pictures have in common, so that they can be laid side by side: view, frame and range of the colours.
   struct Frame
   {
-    View                      view;
-    Vec                       low, high; ///< of what is seen [m]
-    std::pair<double, double> range;     ///< of the field
+    View                      view;  ///< where bodies are seen from
+    Vec                       low;   ///< least coordinates of what is seen [m]
+    Vec                       high;  ///< greatest [m]
+    std::pair<double, double> range; ///< of the field
   };
 
   /// From the first body, so that all of them fit. @throws InputError if one has no such field, or no finite value of it.

@@ -16,61 +16,67 @@ namespace myolines::picture
   /// A flat piece: one colour, or a place of the colour map at each corner; darkened by @p light.
   struct Facet
   {
-    std::vector<Spot>   corners;
-    std::vector<double> values; ///< in [0, 1]; empty: in @p plain
-    Colour              plain{};
+    std::vector<Spot>   corners;   ///< going round
+    std::vector<double> values;    ///< in [0, 1]; empty: in @p plain
+    Colour              plain{};   ///< the colour if there are no values
     double              light = 1; ///< (0, 1]
   };
 
   /// A straight line, as a facet.
   struct Stroke
   {
-    Spot                  a, b;
-    std::array<double, 2> values{}; ///< in [0, 1]
-    bool                  mapped = false;
-    Colour                plain{};
-    double                width = 1; ///< [px]
+    Spot                  a;              ///< one end
+    Spot                  b;              ///< the other
+    std::array<double, 2> values{};       ///< in [0, 1]
+    bool                  mapped = false; ///< whether values are drawn, else @p plain
+    Colour                plain{};        ///< the colour if it is not mapped
+    double                width = 1;      ///< [px]
   };
 
   /// What hides what is behind it. Layers cover each other in their order.
   struct Layer
   {
-    std::vector<Facet>  facets;
-    std::vector<Stroke> strokes;
+    std::vector<Facet>  facets;      ///< with nothing between them and the viewer but nearer ones
+    std::vector<Stroke> strokes;     ///< seen where no facet hides them
     double              opacity = 1; ///< of the facets, of which only the nearest are seen
   };
 
+  /// A text.
   struct Words
   {
+    /// Which part of the text is at x.
     enum class Anchor
     {
-      left,
-      middle,
-      right
+      left,   ///< its beginning
+      middle, ///< its middle
+      right   ///< its end
     };
-    double      x, y;        ///< of the base line [px]
-    std::string text;        ///< UTF-8
-    double      size   = 14; ///< [px]
-    Anchor      anchor = Anchor::left;
+    double      x;                     ///< where the anchor is [px]
+    double      y;                     ///< of the base line [px]
+    std::string text;                  ///< UTF-8
+    double      size   = 14;           ///< [px]
+    Anchor      anchor = Anchor::left; ///< of x
   };
 
   /// A drawing: what is seen of bodies, then flat boxes and words over it.
   struct Sheet
   {
-    unsigned int        width = 0, height = 0; ///< [px]
-    ColourMap           map;
-    std::vector<Layer>  layers;
-    std::vector<Facet>  boxes; ///< nearer than all layers, none over another
-    std::vector<Stroke> lines;
-    std::vector<Words>  words;
-    std::string         title; ///< for those who cannot see it
+    unsigned int        width  = 0; ///< [px]
+    unsigned int        height = 0; ///< [px]
+    ColourMap           map;        ///< of all values
+    std::vector<Layer>  layers;     ///< from back to front
+    std::vector<Facet>  boxes;      ///< nearer than all layers, none over another
+    std::vector<Stroke> lines;      ///< over the boxes
+    std::vector<Words>  words;      ///< over all
+    std::string         title;      ///< for those who cannot see it
   };
 
   /// Rows of pixels, red, green and blue.
   struct Pixels
   {
-    unsigned int              width = 0, height = 0;
-    std::vector<std::uint8_t> rgb;
+    unsigned int              width  = 0; ///< of a row
+    unsigned int              height = 0; ///< number of rows
+    std::vector<std::uint8_t> rgb;        ///< [height][width][3]
   };
 
   /// By a z-buffer, with four samples of each pixel.

@@ -14,21 +14,23 @@ namespace myolines::picture
   /// The surface of a body, and its edges.
   struct Surface
   {
+    /// An edge of one or two faces.
     struct Edge
     {
-      std::size_t         a, b;        ///< points
+      std::size_t         a;           ///< point at one end
+      std::size_t         b;           ///< point at the other
       std::array<Quad, 2> between;     ///< the faces that meet there
       bool                open = true; ///< only the first is there
     };
 
-    std::vector<Quad> quads;
-    std::vector<Edge> edges;
+    std::vector<Quad> quads; ///< faces
+    std::vector<Edge> edges; ///< of them, each once
   };
 
   /// Faces that one cell alone has. Points whose places at rest are equal up to rounding are one.
   Surface surface_of(const Body &body);
 
-  /// Not normalised.
+  /// Normal of a face, outwards. Not normalised.
   Vec normal(const Quad &quad, const std::vector<Vec> &places);
 
   /// A straight piece of a line.
@@ -41,16 +43,16 @@ namespace myolines::picture
   /// A flat piece of what is seen.
   struct Polygon
   {
-    std::vector<Vec>    corners;
-    std::vector<double> values; ///< of the field, at the corners
-    Vec                 normal; ///< outwards, unit
+    std::vector<Vec>    corners; ///< going round
+    std::vector<double> values;  ///< of the field, at the corners
+    Vec                 normal;  ///< outwards, unit
   };
 
   /// Takes away the part of a body beyond a plane that is fixed in it: points whose coordinate @p axis at rest is above @p place [m].
   struct Cut
   {
-    unsigned int axis;
-    double       place;
+    unsigned int axis;  ///< 0, 1 or 2
+    double       place; ///< [m]
   };
 
   /// What is seen of @p body from outside: its surface or, with a @p cut, what is left of it and the face of the cut.

@@ -8,7 +8,9 @@ namespace myolines::picture
   /// Where a body is seen from, from afar: unit vectors to the right and upwards on the picture, and towards the viewer.
   struct View
   {
-    Vec right, up, towards;
+    Vec right;   ///< to the right on the picture
+    Vec up;      ///< upwards on it
+    Vec towards; ///< out of it
 
     /// To the right, upwards and towards the viewer [m].
     Vec seen(const Vec &x) const { return Vec({x * right, x * up, x * towards}); }

@@ -12,11 +12,13 @@ namespace myolines::report
   /// A value of a scene that is not its default.
   struct ChangedValue
   {
-    std::string path, value;
+    std::string path;    ///< of the parameter: "time/step"
+    std::string value;   ///< as the scene has it
     std::string usual;   ///< the default; "": there is none
     std::string meaning; ///< a sentence
   };
 
+  /// What `report` is asked for.
   struct ReportOptions
   {
     std::filesystem::path folder; ///< of a run or of a study

@@ -13,13 +13,14 @@ namespace myolines
   /// - Neo-Hookean: P = mu l + (lambda log l - mu)/l, thesis (4.7.1) with the coefficient mu that makes P(1) = 0 (errata 16).
   struct RodMaterial
   {
-    bool   linear = true;
-    double young  = 0; ///< E [Pa], linear
-    double lambda = 0; ///< [Pa], Neo-Hookean
-    double mu     = 0; ///< [Pa], Neo-Hookean
+    bool   linear = true; ///< which of the two
+    double young  = 0;    ///< E [Pa], linear
+    double lambda = 0;    ///< [Pa], Neo-Hookean
+    double mu     = 0;    ///< [Pa], Neo-Hookean
 
     /// As functions of the strain e = l - 1, so that small strains keep their digits.
-    bool   admissible(const double strain) const { return linear ? std::isfinite(strain) : strain > -1 && std::isfinite(strain); }
+    bool admissible(const double strain) const { return linear ? std::isfinite(strain) : strain > -1 && std::isfinite(strain); }
+    /// P [Pa]
     double stress(const double strain) const
     {
       return linear ? young * strain : (mu * strain * (2 + strain) + lambda * std::log1p(strain)) / (1 + strain);
@@ -37,7 +38,7 @@ namespace myolines
       return linear ? young : mu + (lambda * (1 - std::log1p(strain)) + mu) / (stretch * stretch);
     }
 
-    static RodMaterial linear_elastic(double bulk_modulus, double poisson_ratio);
+    static RodMaterial linear_elastic(double bulk_modulus, double poisson_ratio); ///< @p bulk_modulus kappa [Pa]
 
     /// Lame parameters as the thesis prints and uses them (4.7.2): lambda = kappa nu/((1 - nu)(1 - 2 nu)), mu = kappa/(2 (1 + nu)).
     static RodMaterial neo_hookean_thesis(double bulk_modulus, double poisson_ratio);
@@ -46,6 +47,6 @@ namespace myolines
     static RodMaterial neo_hookean_corrected(double bulk_modulus, double poisson_ratio);
   };
 
-  scene::Schema rod_material_schema();
-  RodMaterial   read_rod_material(const scene::Node &material);
+  scene::Schema rod_material_schema();                          ///< Declaration of the list `material`.
+  RodMaterial   read_rod_material(const scene::Node &material); ///< Reads that list.
 } // namespace myolines

@@ -11,20 +11,21 @@
 
 namespace myolines
 {
+  /// What Rod1dSystem is made of.
   struct Rod1dParameters
   {
     double                       length           = 0.1;  ///< L [m]
     double                       area             = 1e-4; ///< of the cross-section [m^2]
     double                       density          = 1060; ///< rho [kg/m^3]
-    unsigned int                 n_elements       = 8;
-    unsigned int                 degree           = 2; ///< 1 to 3
-    double                       stiffness_factor = 1; ///< multiplies P
-    RodMaterial                  material;
-    std::shared_ptr<const Drive> strain; ///< of the whole rod
+    unsigned int                 n_elements       = 8;    ///< of equal length
+    unsigned int                 degree           = 2;    ///< 1 to 3
+    double                       stiffness_factor = 1;    ///< multiplies P
+    RodMaterial                  material;                ///< P(l)
+    std::shared_ptr<const Drive> strain;                  ///< of the whole rod
   };
 
-  scene::Schema   rod1d_schema();
-  Rod1dParameters read_rod1d(const scene::Node &system);
+  scene::Schema   rod1d_schema();                        ///< Declaration of the list `system` of a rod.
+  Rod1dParameters read_rod1d(const scene::Node &system); ///< Reads that list.
 
   /// Rod, thesis chapter 4: rho u_tt = P(1 + u_x)_x on (0, L), u(0, t) = 0, u(L, t) = L strain(t), at rest at the start. The
   /// cross-section multiplies all forces and plays no part in the motion. Elements of equal length and degree 1 to 3 with equidistant
@@ -36,7 +37,7 @@ namespace myolines
   class Rod1dSystem : public SemiDiscreteSystem
   {
   public:
-    Rod1dSystem(Rod1dParameters parameters, WorkLedger &ledger);
+    Rod1dSystem(Rod1dParameters parameters, WorkLedger &ledger); ///< All elements are alike and made once.
     ~Rod1dSystem() override;
 
     Capabilities                        capabilities() const override;
@@ -51,14 +52,15 @@ namespace myolines
     Energetics                          energetics(const State &state, Side side) const override;
     std::vector<double>                 events(double t0, double t1) const override;
 
-    const Rod1dParameters &parameters() const { return parameters_; }
+    const Rod1dParameters &parameters() const { return parameters_; } ///< those of the constructor
 
     /// Of the whole rod at one state [J].
     struct Energy
     {
-      double kinetic = 0, stored = 0;
+      double kinetic = 0; ///< of the consistent mass
+      double stored  = 0; ///< of the strain
     };
-    Energy energy(const State &state) const;
+    Energy energy(const State &state) const; ///< Kinetic and stored energy of the whole rod.
 
     /// Of the moving end alone, the only one that brings energy: a look at the last element.
     EnergyRates energy_rates(const State &state) const;

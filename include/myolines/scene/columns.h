@@ -13,7 +13,7 @@ namespace myolines::scene
     std::string quantity; ///< "length"
     std::string unit;     ///< "mm"; "" where there is none
   };
-  ColumnName split_column_name(const std::string &name);
+  ColumnName split_column_name(const std::string &name); ///< Takes a name apart; what has no brackets is all quantity.
 
   /// Those of @p header that @p name means: equal to it, or else equal but for units in brackets, or else but for those and for case.
   std::vector<std::size_t> matching_columns(const std::string &name, const std::vector<std::string> &header);

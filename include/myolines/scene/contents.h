@@ -12,8 +12,8 @@ namespace myolines::scene
   /// One name of a list of a scene: a parameter or a list in it, with what its schema says.
   struct Item
   {
-    std::string                name;
-    bool                       is_list = false;
+    std::string                name;            ///< as in a scene
+    bool                       is_list = false; ///< else it is a parameter
     bool                       named   = false; ///< a list with a name of the user's choice
     bool                       present = false; ///< it has a value, or the list is there
     bool                       written = false; ///< by the scene itself
@@ -25,7 +25,7 @@ namespace myolines::scene
   /// A list of a scene.
   struct Contents
   {
-    std::string       doc;
+    std::string       doc;        ///< one sentence on the list
     std::vector<Item> items;      ///< in the order of the schema, what may be there and is not included
     bool              takes_more; ///< lists with names of the user's choice
   };

@@ -11,10 +11,10 @@ namespace myolines::scene
   /// Comma-separated values (RFC 4180) under a line of names.
   struct CsvTable
   {
-    std::filesystem::path                 file;
-    std::vector<std::string>              header;
-    std::vector<std::vector<std::string>> rows;  ///< each as long as the header
-    std::vector<unsigned int>             lines; ///< of the file that rows begin in, from 1
+    std::filesystem::path                 file;   ///< where the table came from
+    std::vector<std::string>              header; ///< names of the columns
+    std::vector<std::vector<std::string>> rows;   ///< each as long as the header
+    std::vector<unsigned int>             lines;  ///< of the file that rows begin in, from 1
 
     /// Index of the column with that name; nothing if there is none.
     std::optional<std::size_t> column(const std::string &name) const;

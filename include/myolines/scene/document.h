@@ -12,18 +12,19 @@ namespace myolines::scene
   /// What stands in a scene file, in its order, before anything is known about its meaning.
   struct RawParameter
   {
-    std::string name;
-    std::string type; ///< attribute "type"; "" for overrides, which have none
-    std::string text; ///< attribute "value", entities replaced
-    bool        from_override = false;
-    std::string replaced; ///< of an override: the text that the file has, "" if none
+    std::string name;                  ///< attribute "name"
+    std::string type;                  ///< attribute "type"; "" for overrides, which have none
+    std::string text;                  ///< attribute "value", entities replaced
+    bool        from_override = false; ///< set on the command line, not in the file
+    std::string replaced;              ///< of an override: the text that the file has, "" if none
   };
 
+  /// A list of parameters and lists, as written.
   struct RawList
   {
-    std::string               name;
-    std::vector<RawParameter> parameters;
-    std::vector<RawList>      lists;
+    std::string               name;                  ///< attribute "name"
+    std::vector<RawParameter> parameters;            ///< in the order of the file
+    std::vector<RawList>      lists;                 ///< in the order of the file
     bool                      from_override = false; ///< not in the file; an override made it
   };
 

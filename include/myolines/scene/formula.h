@@ -17,10 +17,11 @@ namespace myolines
     /// @throws std::invalid_argument if a text is not one formula, with what is wrong with it.
     explicit VectorFormula(const std::array<std::string, 3> &text, const std::string &fourth = "t");
     ~VectorFormula();
-    VectorFormula(VectorFormula &&) noexcept;
+    VectorFormula(VectorFormula &&) noexcept; ///< Takes the parsers over.
 
+    /// The value of one of the three at @p x and the fourth variable.
     double operator()(unsigned int component, const dealii::Point<3> &x, double fourth) const;
-    /// True if the text of the component is just "0".
+    /// True if the text of the component is "0".
     bool zero(unsigned int component) const { return text_[component] == "0"; }
 
   private:

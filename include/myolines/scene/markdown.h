@@ -8,7 +8,7 @@
 
 namespace myolines::scene
 {
-  /// @p text with what Markdown and its tables would take for markup escaped.
+  /// @p text with what Markdown and its tables would take for markup escaped; between two backquotes it is code.
   std::string markdown_text(const std::string &text);
 
   /// @p text as code, in a cell of a table too.

@@ -17,11 +17,11 @@ namespace myolines::scene
   class Node
   {
   public:
-    double                number(const std::string &name) const;
-    int                   integer(const std::string &name) const;
-    bool                  boolean(const std::string &name) const;
-    std::string           text(const std::string &name) const; ///< also for choices
-    std::filesystem::path file(const std::string &name) const; ///< resolved against the folder of the scene
+    double                number(const std::string &name) const;  ///< of Kind::number
+    int                   integer(const std::string &name) const; ///< of Kind::integer
+    bool                  boolean(const std::string &name) const; ///< of Kind::boolean
+    std::string           text(const std::string &name) const;    ///< also for choices
+    std::filesystem::path file(const std::string &name) const;    ///< resolved against the folder of the scene
 
     /// The finite numbers, separated by blanks, that a text holds. @throws InputError, as refuse(), where it holds none or something else.
     std::vector<double> numbers(const std::string &name, const std::string &expected) const;
@@ -34,7 +34,7 @@ namespace myolines::scene
     /// True if the scene itself wrote @p name.
     bool written(const std::string &name) const;
 
-    const Node &section(const std::string &name) const;
+    const Node &section(const std::string &name) const; ///< The list @p name in this one; an optional one must be there, see has().
 
     /// Lists with names of the user's choice (Schema::named_sections), in the order written.
     const std::vector<Node> &named() const;
@@ -42,7 +42,7 @@ namespace myolines::scene
     /// Of the root: what overrides have left out of the file, a sentence each.
     const std::vector<std::string> &notes() const { return notes_; }
 
-    const std::string &name() const { return name_; }
+    const std::string &name() const { return name_; } ///< Of this list, without the lists around it.
     /// "system/boundary/moving end"; "" for the root.
     const std::string &path() const { return path_; }
     /// The scene file and the path of @p name inside it, for InputProblem::where.
@@ -78,7 +78,9 @@ namespace myolines::scene
   /// What goes along with an override: @p path gets @p text, unless an override says otherwise; Node::notes() tells, with @p why.
   struct Preset
   {
-    std::string path, text, why;
+    std::string path; ///< of the parameter
+    std::string text; ///< its value
+    std::string why;  ///< the reason, as half a sentence
   };
 
   /// Reads a scene, applies the overrides ("time/step=1e-3"), validates everything against @p schema.

@@ -12,12 +12,14 @@ namespace myolines::scene
   class SceneWriter
   {
   public:
+    /// Which parameters are written.
     enum class Values
     {
       all,    ///< defaults included
       written ///< only what the scene wrote
     };
 
+    /// @p values: which parameters.
     explicit SceneWriter(Values values)
       : values_(values)
     {}

@@ -10,6 +10,7 @@
 
 namespace myolines::scene
 {
+  /// What the text of a parameter must be.
   enum class Kind
   {
     number,  ///< double; "1e-3"
@@ -61,17 +62,22 @@ namespace myolines::scene
   public:
     explicit Schema(std::string doc = ""); ///< @p doc: one sentence
 
+    ///@{
+    /// A parameter of the kind of its name, with @p fallback as default and @p doc as its sentence.
     Schema &number(const std::string &name, std::optional<double> fallback, const std::string &unit, Range range, const std::string &doc);
     Schema &integer(const std::string &name, std::optional<int> fallback, Range range, const std::string &doc);
     Schema &boolean(const std::string &name, bool fallback, const std::string &doc);
     Schema &text(const std::string &name, std::optional<std::string> fallback, const std::string &doc);
     Schema &choice(const std::string &name, std::optional<std::string> fallback, std::vector<std::string> choices, const std::string &doc);
+    ///@}
     Schema &file(const std::string &name, const std::string &doc); ///< required
 
+    ///@{
     /// As above, but absent when not written: no default, Node::has() tells.
     Schema &optional_number(const std::string &name, const std::string &unit, Range range, const std::string &doc);
     Schema &optional_text(const std::string &name, const std::string &doc);
     Schema &optional_file(const std::string &name, const std::string &doc);
+    ///@}
 
     /// A list inside this list. Present with all its defaults even if the scene does not write it ...
     Schema &section(const std::string &name, Schema schema);
@@ -93,16 +99,18 @@ namespace myolines::scene
     std::vector<const Schema *> chain(const std::function<std::string(const Entry &)> &selected) const;
 
     // What was declared, in order of declaration; for validation, help and manual.
+    /// A list in the list.
     struct Section
     {
-      std::string             name;
-      std::shared_ptr<Schema> schema;
-      bool                    optional = false;
+      std::string             name;             ///< as in a scene
+      std::shared_ptr<Schema> schema;           ///< what it may hold
+      bool                    optional = false; ///< absent unless written
     };
+    /// A choice that decides which further parameters there are.
     struct Variant
     {
-      std::string                                                  selector; ///< name of the choice Entry
-      std::vector<std::pair<std::string, std::shared_ptr<Schema>>> alternatives;
+      std::string                                                  selector;     ///< name of the choice Entry
+      std::vector<std::pair<std::string, std::shared_ptr<Schema>>> alternatives; ///< the words of the choice, with what each brings
     };
     const std::vector<Entry>      &entries() const { return entries_; }   ///< parameters
     const std::vector<Section>    &sections() const { return sections_; } ///< lists

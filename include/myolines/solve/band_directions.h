@@ -15,10 +15,12 @@ namespace myolines
   class BandDirections : public DirectionSolver
   {
   public:
+    /// @p ledger outlives the object.
     explicit BandDirections(WorkLedger &ledger)
       : ledger_(ledger)
     {}
 
+    /// Whether the problem has such a linearisation.
     static bool fit(NonlinearProblem &problem) { return dynamic_cast<BandLinearisation *>(&problem.linearisation()) != nullptr; }
 
     bool         exact() const override { return true; }

@@ -13,13 +13,13 @@ namespace myolines
   /// A point of Newton's method and what was found there.
   struct Iterate
   {
-    Vector        x;
+    Vector        x; ///< the iterate
     LocalUnknowns z; ///< empty: the problem has none
     Vector        g; ///< G at x, z
 
-    std::uint64_t stamp     = 0; ///< names x and z: equal stamps, equal values
-    double        remaining = 0; ///< 1 - alpha, the part of the gap still open; 0: x_c = target
-    Evaluation    evaluation;
+    std::uint64_t stamp     = 0;     ///< names x and z: equal stamps, equal values
+    double        remaining = 0;     ///< 1 - alpha, the part of the gap still open; 0: x_c = target
+    Evaluation    evaluation;        ///< what the residual said of it
     bool          undefined = false; ///< inadmissible as loads or prescribed values are no numbers
     double        norm      = 0;     ///< of G and of the residual of z (Evaluation::local), over all ranks; NaN where inadmissible
   };
@@ -80,7 +80,7 @@ namespace myolines
     /// |F(x, z(x))| on the free unknowns, where nothing remains of the gap; @p evaluation belongs to it.
     double true_norm(NonlinearProblem &problem, const Iterate &at, Evaluation &evaluation);
 
-    unsigned int evaluations() const { return evaluations_; }
+    unsigned int evaluations() const { return evaluations_; } ///< Residuals evaluated so far.
 
   private:
     void evaluate(NonlinearProblem &problem, Iterate &at);

@@ -12,11 +12,12 @@
 
 namespace myolines
 {
+  /// How a linear solve ended: a value, never an exception.
   struct LinearReport
   {
-    bool         converged = false;
-    std::string  reason; ///< why not; empty if it did
-    unsigned int iterations        = 0;
+    bool         converged = false;     ///< whether the tolerance was met
+    std::string  reason;                ///< why not; empty if it did
+    unsigned int iterations        = 0; ///< of the Krylov method
     double       relative_residual = 0; ///< true |b - J x| / |b|
   };
 
@@ -48,15 +49,18 @@ namespace myolines
   class LinearSolver
   {
   public:
+    ///@{
     /// Parameters of the lists `solver/linear` and `solver/preconditioner`.
     static scene::Schema linear_schema();
     static scene::Schema preconditioner_schema();
+    ///@}
 
     /// What the lists choose for a system, in words; @p constant: its Jacobian is. @throws InputError if the preconditioner does not fit
     /// the system.
     static std::vector<std::string> plan(const scene::Node &linear, const scene::Node &preconditioner, const Linearisation &linearisation,
                                          std::size_t n_unknowns, bool constant);
 
+    /// Of those two lists. @p stop, if given, is asked before set-ups and in every iteration.
     LinearSolver(const scene::Node &linear, const scene::Node &preconditioner, WorkLedger &ledger, StopRequest stop = {});
     ~LinearSolver();
 

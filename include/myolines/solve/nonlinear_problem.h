@@ -15,7 +15,7 @@ namespace myolines
   public:
     virtual ~NonlinearProblem() = default;
 
-    virtual const Constraints &constraints() const = 0;
+    virtual const Constraints &constraints() const = 0; ///< u = C q, see SemiDiscreteSystem::constraints()
 
     /// Sets the constrained entries of @p x to their final values (for its free ones); ghosts are current on return.
     virtual void impose(Vector &x) const = 0;
@@ -26,7 +26,7 @@ namespace myolines
     /// Makes linearisation() that of @p x, a point where residual() was admissible.
     virtual void linearise(const Vector &x) = 0;
 
-    virtual Linearisation        &linearisation()   = 0;
+    virtual Linearisation        &linearisation()   = 0; ///< of the last linearise() or linearise_at()
     virtual const WeightsByOrder &weights() const   = 0; ///< J = dF/dx = weights applied to the linearisation
     virtual bool                  symmetric() const = 0; ///< whether J is symmetric
 

@@ -44,6 +44,7 @@ namespace myolines
     /// Parameters of the list `solver/nonlinear`.
     static scene::Schema schema();
 
+    /// Of that list. @p linear and @p ledger outlive it.
     NonlinearSolver(const scene::Node &nonlinear, LinearSolver &linear, WorkLedger &ledger);
     ~NonlinearSolver();
 

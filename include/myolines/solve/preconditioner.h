@@ -46,17 +46,18 @@ namespace myolines
   /// What the choice of a preconditioner may depend on.
   struct PreconditionerContext
   {
-    std::size_t n_unknowns;
+    std::size_t n_unknowns; ///< on all ranks
     bool        two_levels; ///< Linearisation::has_two_levels()
-    WorkLedger &ledger;
+    WorkLedger &ledger;     ///< for counts of set-ups within
   };
 
   /// Facts about a preconditioner and how to make one, for `list` and the schema.
   struct PreconditionerEntry
   {
-    std::string                                                                                        name;
-    std::string                                                                                        summary;
-    scene::Schema                                                                                      schema;
+    std::string   name;    ///< `type` in a scene
+    std::string   summary; ///< one sentence
+    scene::Schema schema;  ///< of its parameters
+    /// of its parameters and the context
     std::function<std::unique_ptr<Preconditioner>(const scene::Node &, const PreconditionerContext &)> make;
   };
 
@@ -69,12 +70,15 @@ namespace myolines
   /// The one that the list @p preconditioner of a scene asks for.
   std::unique_ptr<Preconditioner> make_preconditioner(const scene::Node &preconditioner, const PreconditionerContext &context);
 
-  std::unique_ptr<MatrixPreconditioner> make_direct();
-  std::unique_ptr<MatrixPreconditioner> make_ml(); ///< with its defaults
-  std::unique_ptr<Preconditioner>       make_p_multigrid(WorkLedger &ledger);
+  std::unique_ptr<MatrixPreconditioner> make_direct();                        ///< sparse LU factors of the assembled matrix
+  std::unique_ptr<MatrixPreconditioner> make_ml();                            ///< with its defaults
+  std::unique_ptr<Preconditioner>       make_p_multigrid(WorkLedger &ledger); ///< with its defaults
 
+  ///@{
+  /// The entries of the registry, each in the file of its preconditioner.
   PreconditionerEntry p_multigrid_preconditioner_entry();
   PreconditionerEntry direct_preconditioner_entry();
   PreconditionerEntry ml_preconditioner_entry();
   PreconditionerEntry jacobi_preconditioner_entry();
+  ///@}
 } // namespace myolines

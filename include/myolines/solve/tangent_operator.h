@@ -14,14 +14,15 @@ namespace myolines
   class TangentOperator
   {
   public:
+    /// How the operator is applied.
     enum class Form
     {
-      automatic, ///< what the Linearisation says costs less
-      matrix_free,
-      assembled
+      automatic,   ///< what the Linearisation says costs less
+      matrix_free, ///< by actions of the Linearisation
+      assembled    ///< by products with its matrix
     };
 
-    TangentOperator(Form form, WorkLedger &ledger);
+    TangentOperator(Form form, WorkLedger &ledger); ///< Bound to nothing yet.
 
     /// From here on the operator of @p linearisation, as it stands whenever something is asked, with @p weights.
     /// @p layout is any vector of the system. All are borrowed but for the weights.
@@ -42,7 +43,7 @@ namespace myolines
     /// The assembled matrix, with unit rows (times a typical entry) for constrained unknowns. @p exact: never softened.
     const SparseMatrix &sparse(bool exact) const;
 
-    const MultilevelData *multilevel() const { return linearisation_->multilevel(); }
+    const MultilevelData *multilevel() const { return linearisation_->multilevel(); } ///< That of the linearisation, or nullptr.
 
     /// See Linearisation; nullptr where the system has none.
     TwoLevel *two_level() const;
@@ -50,8 +51,8 @@ namespace myolines
     /// The operator belongs to this system.
     bool is_of(const Linearisation &linearisation) const { return linearisation_ == &linearisation; }
 
-    const FreeUnknowns &free_unknowns() const { return *free_; }
-    const Vector       &layout() const { return layout_; }
+    const FreeUnknowns &free_unknowns() const { return *free_; } ///< those that relations leave free
+    const Vector       &layout() const { return layout_; }       ///< any vector of the system
 
   private:
     /// act(x with relations and ghosts), then C^T y

@@ -12,20 +12,21 @@ namespace myolines::study
   /// One run of a study.
   struct Case
   {
+    /// What the run is for.
     enum class Role
     {
-      reference,
-      cross_check,
-      point, ///< of a grid
-      repeat ///< a point once more, for its seconds
+      reference,   ///< that others are measured against
+      cross_check, ///< that tells how good a reference is
+      point,       ///< of a grid
+      repeat       ///< a point once more, for its seconds
     };
 
-    std::string                      name; ///< stable: made of the axes and labels alone; a file name
-    Role                             role = Role::point;
-    std::map<std::string, AxisPoint> coordinates; ///< axis -> point
-    std::vector<std::string>         settings;    ///< "path=value", in the order in which they are applied
-    std::string                      reference;   ///< name of the case that this one is measured against; "" for none
-    std::string                      repeated;    ///< name of the point that a repeat is of
+    std::string                      name;               ///< stable: made of the axes and labels alone; a file name
+    Role                             role = Role::point; ///< what it is for
+    std::map<std::string, AxisPoint> coordinates;        ///< axis -> point
+    std::vector<std::string>         settings;           ///< "path=value", in the order in which they are applied
+    std::string                      reference;          ///< name of the case that this one is measured against; "" for none
+    std::string                      repeated;           ///< name of the point that a repeat is of
   };
 
   /// "reference", "cross check", "case", "repeat".

@@ -13,17 +13,19 @@ namespace myolines::study
   /// Every n-th case, from the one of @p number on: what one task of an array job does.
   struct Part
   {
-    unsigned int number = 1, of = 1;
+    unsigned int number = 1; ///< of the part, from 1
+    unsigned int of     = 1; ///< how many parts there are
   };
 
   /// "2/8". @throws InputError unless 1 <= number <= of.
   Part read_part(const std::string &text);
 
+  /// What `study` is asked for.
   struct Options : Driver
   {
-    std::filesystem::path    file;
-    std::filesystem::path    folder; ///< empty: results/ and the name of the study without extension
-    std::vector<std::string> overrides;
+    std::filesystem::path    file;         ///< that describes the study
+    std::filesystem::path    folder;       ///< empty: results/ and the name of the study without extension
+    std::vector<std::string> overrides;    ///< "path=value" of that file
     bool                     list = false; ///< validate and print the cases, run none
     std::string              part;         ///< as read_part() takes it; "" for all
     std::string              emit;         ///< "slurm", "mpi": write that script and run nothing; "" for none

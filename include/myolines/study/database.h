@@ -16,24 +16,24 @@ namespace myolines::study
   /// How the run of a case ended, and with what.
   struct Outcome
   {
-    std::string           name;
-    std::string           scene;       ///< every value in force, as scene.resolved.xml
-    std::string           status;      ///< "done", "failed", "refused", "crashed", "timed out"
-    std::string           reason;      ///< of all but "done"
-    std::optional<double> cpu_seconds; ///< of the process; none if it went on from a checkpoint
-    double                wall_seconds = 0;
-    std::string           command;  ///< as a shell would read it
-    std::string           manifest; ///< of the run: versions, git hash, host, dates; "" if it left none
-    std::string           ledger;   ///< of the run: counts and seconds; "" if it left none
+    std::string           name;             ///< of the case
+    std::string           scene;            ///< every value in force, as scene.resolved.xml
+    std::string           status;           ///< "done", "failed", "refused", "crashed", "timed out"
+    std::string           reason;           ///< of all but "done"
+    std::optional<double> cpu_seconds;      ///< of the process; none if it went on from a checkpoint
+    double                wall_seconds = 0; ///< from start to end of the process
+    std::string           command;          ///< as a shell would read it
+    std::string           manifest;         ///< of the run: versions, git hash, host, dates; "" if it left none
+    std::string           ledger;           ///< of the run: counts and seconds; "" if it left none
   };
 
   /// A cell of the table.
   struct Result
   {
-    std::string           name; ///< of the case
-    std::string           column;
-    std::optional<double> value;
-    std::string           note; ///< the class, or why there is no value
+    std::string           name;   ///< of the case
+    std::string           column; ///< of study.csv
+    std::optional<double> value;  ///< nothing: see note
+    std::string           note;   ///< the class, or why there is no value
   };
 
   /// The SQLite file that keeps what a study has found: table `cases`, a row for each ended run, and table `results`.
@@ -42,12 +42,12 @@ namespace myolines::study
   class Database
   {
   public:
-    explicit Database(const std::filesystem::path &file);
-    ~Database();
+    explicit Database(const std::filesystem::path &file); ///< Opens @p file, or makes it.
+    ~Database();                                          ///< Closes it.
     Database(const Database &)            = delete;
     Database &operator=(const Database &) = delete;
 
-    std::map<std::string, Outcome> outcomes() const;
+    std::map<std::string, Outcome> outcomes() const; ///< All of them, by case.
 
     /// Adds the outcomes, each replacing one of the same case.
     void store(const std::vector<Outcome> &outcomes);

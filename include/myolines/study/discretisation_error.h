@@ -9,7 +9,8 @@ namespace myolines::study
   /// A value that was computed with steps, cells or tolerances of some size.
   struct Sample
   {
-    double size, value;
+    double size;  ///< of steps, cells or tolerances
+    double value; ///< of the quantity
   };
 
   /// How values approach their limit as sizes go down.
@@ -23,13 +24,14 @@ namespace myolines::study
     unseen           ///< two values show no rate
   };
 
+  /// An estimate, and what it rests on.
   struct DiscretisationError
   {
-    double                error = 0; ///< of the value asked for; not negative
-    Approach              approach;
-    std::optional<double> rate;    ///< observed, where values are monotone
-    std::optional<double> assumed; ///< at which errors are taken to go down, size^rate; none if irregular or at once
-    double                safety = 1;
+    double                error = 0;  ///< of the value asked for; not negative
+    Approach              approach;   ///< what the values show
+    std::optional<double> rate;       ///< observed, where values are monotone
+    std::optional<double> assumed;    ///< at which errors are taken to go down, size^rate; none if irregular or at once
+    double                safety = 1; ///< factor in the error
   };
 
   /// The error of @p samples[@p which]: its distance from the value of the smallest size, plus the error of that one. With r the ratio of

@@ -14,8 +14,8 @@ namespace myolines::study
   /// How runs of this program are started, resolved and stopped, for the commands that start many.
   struct Driver
   {
-    unsigned int jobs  = 0; ///< runs at a time; 0: as many as the cores have room for
-    bool         retry = false;
+    unsigned int jobs  = 0;     ///< runs at a time; 0: as many as the cores have room for
+    bool         retry = false; ///< see RunnerOptions
 
     std::filesystem::path                                       program;     ///< that has the command `run`
     std::vector<std::filesystem::path>                          plugins;     ///< see RunnerOptions
@@ -25,8 +25,9 @@ namespace myolines::study
     std::function<unsigned int(unsigned int jobs, unsigned int ranks, bool asked_for)> fitting_jobs;
     /// The resolved scene of a case. @throws InputError if the settings do not fit the scene.
     std::function<std::string(const std::filesystem::path &scene, const std::vector<std::string> &settings)> resolve;
-    std::function<int()>                                                                                     stop_signal;
-    std::ostream *terminal = nullptr; ///< for the progress; may be none
+    /// the signal that asks to stop, 0: none
+    std::function<int()> stop_signal;
+    std::ostream        *terminal = nullptr; ///< for the progress; may be none
   };
 
   /// What the runner needs for the cases of @p study, in @p folder. Both are borrowed.

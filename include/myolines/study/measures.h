@@ -10,7 +10,8 @@ namespace myolines::study
   /// A quantity over time; t ascends.
   struct Series
   {
-    std::vector<double> t, x;
+    std::vector<double> t; ///< [s]
+    std::vector<double> x; ///< values there
   };
 
   /// Why there is no measure of a column that has an infinite value or one that is no number.
@@ -19,8 +20,8 @@ namespace myolines::study
   /// A number, or why there is none.
   struct Measured
   {
-    std::optional<double> value;
-    std::string           note;
+    std::optional<double> value; ///< nothing: see note
+    std::string           note;  ///< why there is none; else empty
   };
 
   /// Measures of a series x(t) alone:
@@ -36,17 +37,19 @@ namespace myolines::study
   ///   late overshoot         the same of x in the last quarter of the time alone
   ///   relative variation     total variation of x over that of r at the same times.
   std::vector<std::string> measure_names();
-  std::vector<std::string> measure_names_with_reference();
+  std::vector<std::string> measure_names_with_reference(); ///< Those of the list that need a reference.
   /// True if the measure has no unit, whatever the column.
   bool is_ratio(const std::string &measure);
 
+  /// What measures depend on beside the series.
   struct MeasureOptions
   {
     bool   relative = false; ///< errors over the largest |r|
-    double fraction = 0.05;
+    double fraction = 0.05;  ///< of the decay time
   };
 
-  /// @p reference is nullptr for measures of the series alone, otherwise as long as the series: reference_at().
+  /// The measure @p name of @p series. @p reference is nullptr for measures of the series alone, otherwise as long as the series:
+  /// reference_at().
   Measured measure(const std::string &name, const Series &series, const std::vector<double> *reference, const MeasureOptions &options);
 
   /// The part of @p series with from <= t <= until.

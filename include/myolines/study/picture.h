@@ -8,23 +8,27 @@
 
 namespace myolines::study
 {
+  /// A line or a row of marks in a diagram.
   struct Curve
   {
-    std::string                            title;
+    std::string                            title;  ///< in the key
     std::vector<std::pair<double, double>> points; ///< those that are not finite are left out
   };
 
   /// A diagram.
   struct Picture
   {
-    std::string        name; ///< of its files, without extension
-    std::string        title;
-    std::string        x_label, y_label; ///< with units
-    bool               log_x = false, log_y = false;
-    bool               lines = true, marks = true; ///< between and at the points
-    std::vector<Curve> curves;
-    /// Words at places of the axes, instead of numbers.
-    std::vector<std::pair<double, std::string>> x_words, y_words;
+    std::string                                 name;          ///< of its files, without extension
+    std::string                                 title;         ///< above it
+    std::string                                 x_label;       ///< with its unit
+    std::string                                 y_label;       ///< with its unit
+    bool                                        log_x = false; ///< whether the abscissa is logarithmic
+    bool                                        log_y = false; ///< whether the ordinate is
+    bool                                        lines = true;  ///< between the points
+    bool                                        marks = true;  ///< at the points
+    std::vector<Curve>                          curves;        ///< in the order of the key
+    std::vector<std::pair<double, std::string>> x_words;       ///< words at places of the abscissa, instead of numbers
+    std::vector<std::pair<double, std::string>> y_words;       ///< likewise of the ordinate
     /// If there are any, the picture has no curves of its own but these, in two columns under its title and with the key of the first:
     /// their curves have the same titles.
     std::vector<Picture> panels;

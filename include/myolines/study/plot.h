@@ -10,6 +10,7 @@
 
 namespace myolines::study
 {
+  /// What `plot` is asked for.
   struct PlotOptions
   {
     std::vector<std::filesystem::path> folders; ///< a study, a run, or several runs

@@ -14,7 +14,7 @@ namespace myolines::study
   /// How a child process ended.
   struct Ended
   {
-    pid_t  process     = 0;
+    pid_t  process     = 0;  ///< its number
     int    exit_code   = -1; ///< if it ended by itself
     int    signal      = 0;  ///< that ended it, otherwise
     double cpu_seconds = 0;  ///< user and system
@@ -25,7 +25,7 @@ namespace myolines::study
   class Processes
   {
   public:
-    Processes();
+    Processes();  ///< Blocks the signals that wait() looks for.
     ~Processes(); ///< kills what is left
     Processes(const Processes &)            = delete;
     Processes &operator=(const Processes &) = delete;
@@ -40,7 +40,7 @@ namespace myolines::study
     /// Waits until a process ends, a signal arrives or @p seconds have passed; all that have ended.
     std::vector<Ended> wait(double seconds);
 
-    void send(pid_t process, int signal) const;
+    void send(pid_t process, int signal) const; ///< A signal to one of them.
 
   private:
     /// Forks; @p child runs in the child once it is set up, and ends it.

@@ -16,8 +16,9 @@ namespace myolines::study
   struct Spread
   {
     std::size_t                        runs = 1; ///< that are done
-    std::optional<double>              cpu, wall;
-    std::vector<std::optional<double>> values; ///< of quantities that are seconds, in their order
+    std::optional<double>              cpu;      ///< of the CPU time [s]
+    std::optional<double>              wall;     ///< of the wall-clock time [s]
+    std::vector<std::optional<double>> values;   ///< of quantities that are seconds, in their order
   };
 
   /// What was found for one case.
@@ -45,7 +46,9 @@ namespace myolines::study
   /// How the signal of a stability map behaves beside that of the reference.
   struct SignalMeasures
   {
-    Measured overshoot, late_overshoot, variation;
+    Measured overshoot;      ///< measure `overshoot`
+    Measured late_overshoot; ///< measure `late overshoot`
+    Measured variation;      ///< measure `relative variation`
   };
   /// The class of a run: "failed" if it did not end as "done"; "diverged" if its signal is not finite or its late overshoot is above
   /// the limit; "oscillating" if the overshoot at any time or the relative variation is above its limit; else "stable". "unknown" if
@@ -59,8 +62,8 @@ namespace myolines::study
   /// Cost of one method at the precision wanted.
   struct EqualError
   {
-    std::string method;
-    Measured    work;
+    std::string method;  ///< label of the curve
+    Measured    work;    ///< in the unit of the work
     Measured    at_most; ///< a bound in its place, where all points of the method are more accurate than asked for
     Measured    ratio;   ///< over the cheapest; none where that is a bound
   };

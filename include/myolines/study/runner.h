@@ -12,6 +12,7 @@
 
 namespace myolines::study
 {
+  /// How cases are run.
   struct RunnerOptions
   {
     std::filesystem::path              program; ///< that has the command `run`

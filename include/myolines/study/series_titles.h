@@ -15,7 +15,7 @@ namespace myolines::study
   struct Constant
   {
     std::string title; ///< "reaction: fixed end z [N]"
-    double      value;
+    double      value; ///< in the unit of the column
   };
 
   /// Takes pictures away in which no curve changes, up to rounding (1e-12 of the largest value), and tells their values.

@@ -39,18 +39,21 @@ namespace myolines::study
     std::function<Finer(double factor)> finer;     ///< at least so many times finer
   };
 
+  /// All ways to make a scene finer.
   struct Refinements
   {
-    Ladder              steps, mesh;
-    std::optional<Rung> degree;      ///< another degree of the elements on the same mesh, if there is one
-    std::string         degree_name; ///< "system/degree"
-    bool                higher = false;
+    Ladder              steps;          ///< in time
+    Ladder              mesh;           ///< in space
+    std::optional<Rung> degree;         ///< another degree of the elements on the same mesh, if there is one
+    std::string         degree_name;    ///< "system/degree"
+    bool                higher = false; ///< whether that degree is higher
   };
 
+  /// What `verify` is asked for.
   struct VerifyOptions : Driver
   {
-    std::filesystem::path    scene;
-    std::vector<std::string> overrides;
+    std::filesystem::path    scene;        ///< file of the scene
+    std::vector<std::string> overrides;    ///< "path=value", in their order
     std::vector<std::string> quantities;   ///< "FILE:COLUMN", ":last" (default), ":largest", ":smallest" or ":at TIME" after it
     std::filesystem::path    folder;       ///< empty: results/ and the name of the scene, with " verify" after it
     double                   at_most = 10; ///< CPU seconds of a run over those of the scene

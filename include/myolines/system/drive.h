@@ -17,7 +17,7 @@ namespace myolines
   public:
     virtual ~Drive() = default;
 
-    virtual double value(double t, Side side = Side::left) const             = 0;
+    virtual double value(double t, Side side = Side::left) const             = 0; ///< in the unit of what is driven
     virtual double first_derivative(double t, Side side = Side::left) const  = 0; ///< [1/s]
     virtual double second_derivative(double t, Side side = Side::left) const = 0; ///< [1/s^2]
 

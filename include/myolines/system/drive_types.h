@@ -18,21 +18,25 @@ namespace myolines
     /// Value c0 + c1 s + c2 s^2 + c3 s^3 with s = t - begin.
     struct Piece
     {
-      double begin;
-      double c0, c1, c2, c3;
+      double begin; ///< [s]
+      double c0;    ///< value at the begin
+      double c1;    ///< of s [1/s]
+      double c2;    ///< of s^2 [1/s^2]
+      double c3;    ///< of s^3 [1/s^3]
     };
 
+    /// A value at a time.
     struct ControlPoint
     {
-      double t; ///< [s]
-      double value;
+      double t;     ///< [s]
+      double value; ///< in the unit of what is driven
     };
 
     /// Straight lines between @p points, whose times ascend.
     static PiecewiseDrive lines(const std::vector<ControlPoint> &points);
     /// The cubic spline through @p points with continuous second derivative and slope zero at both ends.
     static PiecewiseDrive spline(const std::vector<ControlPoint> &points);
-    static PiecewiseDrive constant(double value);
+    static PiecewiseDrive constant(double value); ///< The same @p value at all times.
 
     /// time_tolerance() of the largest |t| of @p points.
     static double tolerance(const std::vector<ControlPoint> &points);

@@ -15,6 +15,6 @@ namespace myolines
   struct Energetics
   {
     double      energy = 0; ///< kinetic and stored [J]
-    EnergyRates rates;
+    EnergyRates rates;      ///< of its change
   };
 } // namespace myolines

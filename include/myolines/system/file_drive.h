@@ -14,23 +14,23 @@ namespace myolines
   /// What a drive is a function of time of.
   struct Driven
   {
-    std::string  quantity = "quantity";
-    std::string  unit     = "-";
+    std::string  quantity = "quantity";          ///< for messages: "activation"
+    std::string  unit     = "-";                 ///< "-" for pure numbers
     scene::Range range    = scene::Range::any(); ///< of samples; closed: no smoothing leaves it
   };
 
   /// What becomes of the samples in a file, in this order.
   struct FileProfile
   {
-    std::string           where; ///< "scene.xml: system/excitation/file", for messages
-    SampleColumn          column;
+    std::string           where;                         ///< "scene.xml: system/excitation/file", for messages
+    SampleColumn          column;                        ///< where the samples stand
     double                shift          = 0;            ///< is added to times [s]
     bool                  rectify        = false;        ///< x becomes |x - mean|
     std::optional<double> low_pass       = std::nullopt; ///< cut-off frequency [Hz]
-    bool                  by_own_maximum = false;
+    bool                  by_own_maximum = false;        ///< x is divided by the greatest |x| of the samples
     std::optional<double> maximum        = std::nullopt; ///< x is divided by it, or by its own
-    double                scale          = 1;
-    bool                  lines          = false; ///< between the samples; else smooth
+    double                scale          = 1;            ///< x is multiplied by it, last
+    bool                  lines          = false;        ///< between the samples; else smooth
   };
 
   /// A quantity whose samples stand in a file, low-passed by spline_filtered(), with the spline between them. Where both ends of
@@ -62,7 +62,8 @@ namespace myolines
   const FileDrive *file_of(const Drive *drive);
 
   /// Parameters of the alternative `file` of a drive in @p unit.
-  scene::Schema              file_profile_schema(const std::string &unit);
+  scene::Schema file_profile_schema(const std::string &unit);
+  /// The drive that the list @p node describes. @throws InputError as FileDrive.
   std::unique_ptr<FileDrive> make_file_drive(const scene::Node &node, const Driven &driven);
 
   /// The drive a scene describes, of a quantity whose unit and range matter for samples. @throws InputError as make_drive() of a node

@@ -14,20 +14,22 @@ namespace myolines
   class WorkLedger
   {
   public:
-    void count(std::string_view what, std::uint64_t times = 1) { entry(counts_, what) += times; }
-    void add_seconds(std::string_view phase, double seconds) { entry(seconds_, phase) += seconds; }
+    void count(std::string_view what, std::uint64_t times = 1) { entry(counts_, what) += times; }   ///< Adds to a count.
+    void add_seconds(std::string_view phase, double seconds) { entry(seconds_, phase) += seconds; } ///< Adds to the time of a phase [s].
 
+    /// The count so far.
     std::uint64_t counted(std::string_view what) const
     {
       const auto found = counts_.find(what);
       return found == counts_.end() ? 0 : found->second;
     }
 
+    /// By name; looked up without making strings.
     template <typename Value>
     using Table = std::map<std::string, Value, std::less<>>; // looked up without making strings
 
-    const Table<std::uint64_t> &counts() const { return counts_; }
-    const Table<double>        &seconds() const { return seconds_; }
+    const Table<std::uint64_t> &counts() const { return counts_; }   ///< all counts
+    const Table<double>        &seconds() const { return seconds_; } ///< wall-clock time by phase [s]
 
     /// Adds the wall-clock seconds of its own life to a phase.
     class Timer
@@ -39,8 +41,9 @@ namespace myolines
         , phase_(phase)
         , begin_(std::chrono::steady_clock::now())
       {}
+      /// Adds the time that has passed.
       ~Timer() { ledger_.add_seconds(phase_, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count()); }
-      Timer(const Timer &)            = delete;
+      Timer(const Timer &)            = delete; ///< A time is added once.
       Timer &operator=(const Timer &) = delete;
 
     private:

@@ -25,8 +25,8 @@ namespace myolines
   /// J = C^T J C as a two-level preconditioner sees it: without the matrix itself.
   struct TwoLevel
   {
-    PatchMatrices       &patches; ///< symmetric parts of the principal submatrices of overlapping patches, not inverted yet
-    const Interpolation &interpolation;
+    PatchMatrices       &patches;            ///< symmetric parts of the principal submatrices of overlapping patches, not inverted yet
+    const Interpolation &interpolation;      ///< P, from the coarse space
     const SparseMatrix  &coarse;             ///< P^T J P
     const MultilevelData coarse_data;        ///< of the coarse matrix
     Vector               coarse_layout;      ///< any vector of the coarse space

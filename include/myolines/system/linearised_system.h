@@ -10,7 +10,7 @@ namespace myolines
   class LinearisedSystem : public SemiDiscreteSystem
   {
   public:
-    explicit LinearisedSystem(std::unique_ptr<SemiDiscreteSystem> system);
+    explicit LinearisedSystem(std::unique_ptr<SemiDiscreteSystem> system); ///< Linearises @p system once. Collective.
 
     Capabilities                   capabilities() const override { return capabilities_; }
     std::size_t                    n_unknowns() const override { return system_->n_unknowns(); }

@@ -10,8 +10,8 @@ namespace myolines
   /// affair. Empty: the system has none.
   struct LocalUnknowns
   {
-    dealii::AlignedVector<double> values;
+    dealii::AlignedVector<double> values; ///< of the cells of this rank
 
-    bool any() const { return !values.empty(); }
+    bool any() const { return !values.empty(); } ///< whether there are any
   };
 } // namespace myolines

@@ -12,17 +12,17 @@ namespace myolines
   /// Side of a kink in a drive: a step starts on the right limit of one and ends on the left limit of the next.
   enum class Side
   {
-    left,
-    right
+    left, ///< the limit from before
+    right ///< the limit from after
   };
 
   /// What an integrator carries from step to step: u, v = du/dt, a = d2u/dt2 of every unknown at time t [s].
   struct State
   {
-    double t = 0;
-    Vector u;
-    Vector v;
-    Vector a;
+    double t = 0; ///< [s]
+    Vector u;     ///< displacement [m], with ghosts
+    Vector v;     ///< du/dt [m/s]
+    Vector a;     ///< d2u/dt2 [m/s^2]
   };
 
   /// Without copies; std::swap would make three, as vectors have no move assignment.
@@ -37,11 +37,11 @@ namespace myolines
   /// Arguments of a residual. t is the instant of u, v, a and of the loads. Borrowed: the vectors outlive the point.
   struct Point
   {
-    double        t;
-    Side          side;
-    const Vector &u;
-    const Vector &v;
-    const Vector &a;
+    double        t;    ///< [s]
+    Side          side; ///< of a kink at t
+    const Vector &u;    ///< displacement [m]
+    const Vector &v;    ///< velocity [m/s]
+    const Vector &a;    ///< acceleration [m/s^2]
 
     const LocalUnknowns *local = nullptr; ///< z, or none: z(u), eliminated
     /// Displacement at the beginning of a step that ends at u, or none. Of systems with Capabilities::two_states: forces are then those of
@@ -52,9 +52,9 @@ namespace myolines
   /// J = w.u dR/du + w.v dR/dv + w.a dR/da; any weight may be zero.
   struct Weights
   {
-    double u = 0;
-    double v = 0;
-    double a = 0;
+    double u = 0; ///< of K = dR/du
+    double v = 0; ///< of C = dR/dv
+    double a = 0; ///< of M = dR/da
   };
 
   /// Weights by differential order of the unknown: [0] algebraic, [1] first order, [2] second order in time.
@@ -69,8 +69,8 @@ namespace myolines
   /// What a residual says of its arguments. Inadmissible (det F <= 0, not a number, ...) is a value, agreed by all ranks.
   struct Evaluation
   {
-    bool        admissible = true;
-    std::string reason     = ""; ///< why not, in words; empty if admissible
+    bool        admissible = true; ///< whether R exists there
+    std::string reason     = "";   ///< why not, in words; empty if admissible
 
     /// l2 norm of the forces that R balances, inertia left out, before they cancel [unit of R]; 0: the system does not tell.
     double forces = 0;

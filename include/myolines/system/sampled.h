@@ -37,12 +37,14 @@ namespace myolines
     double begin() const { return t_.front(); } ///< [s]
     double end() const { return t_.back(); }    ///< [s]
 
-    std::size_t n_samples() const { return t_.size(); }
-    std::size_t n_samples(double t0, double t1) const; ///< of those, from t0 to t1 [s]
+    std::size_t n_samples() const { return t_.size(); } ///< of all of them
+    std::size_t n_samples(double t0, double t1) const;  ///< of those, from t0 to t1 [s]
 
+    /// The least and the greatest value.
     struct Extremes
     {
-      double least, greatest;
+      double least;    ///< in the unit of the samples
+      double greatest; ///< likewise
     };
     /// Of all times, between samples too.
     Extremes extremes() const;

@@ -10,7 +10,7 @@ namespace myolines
   /// Where samples of a quantity stand in a table.
   struct SampleColumn
   {
-    std::filesystem::path file;
+    std::filesystem::path file;  ///< the table
     std::string           time;  ///< name of the column of times; "": "time" or "t"
     std::string           value; ///< name of the column of values; "": the only one beside the times
     std::string           unit;  ///< of the values where their name has none; "": the one that is wanted
@@ -20,7 +20,7 @@ namespace myolines
   struct Samples
   {
     std::vector<double> t; ///< [s], at least two, strictly ascending
-    std::vector<double> x;
+    std::vector<double> x; ///< in the unit that was asked for
   };
 
   /// The samples in @p column, times in seconds and values in @p unit, or as they are where it is "". Units are those in the brackets of

@@ -26,7 +26,7 @@ namespace myolines
     bool                      inertia           = true;  ///< dR/da != 0
     bool                      rates             = true;  ///< R depends on v
     bool                      linear            = false; ///< K, C, M do not depend on u, v
-    bool                      constant_mass     = true;
+    bool                      constant_mass     = true;  ///< M does not depend on t, u, v
     bool                      symmetric_tangent = false; ///< K and C as linearised are symmetric
     bool                      energy            = false; ///< the system states its energy, see energetics()
     bool                      two_states        = false; ///< residuals of a step, see Point::before
@@ -45,7 +45,7 @@ namespace myolines
   public:
     virtual ~SemiDiscreteSystem() = default;
 
-    virtual Capabilities capabilities() const = 0;
+    virtual Capabilities capabilities() const = 0; ///< What the system is; the same at all times.
 
     /// Number of unknowns on all ranks, constrained ones included.
     virtual std::size_t n_unknowns() const = 0;

@@ -16,8 +16,8 @@ namespace myolines
     /// @p path of the drive in its scene ("system/activation"), which starts with @p value.
     Steering(std::string path, std::string where, Driven driven, double value);
 
-    const std::string &path() const { return path_; }
-    const Driven      &driven() const { return driven_; }
+    const std::string &path() const { return path_; }     ///< of the drive in its scene
+    const Driven      &driven() const { return driven_; } ///< what it is a function of time of
 
     /// From @p t on linearly to @p value at @p t + @p duration, then constant; with a duration of 0 it jumps at @p t [s].
     /// @throws InputError for a value outside the range of what is driven, for what is not finite, and a negative duration.
@@ -28,17 +28,17 @@ namespace myolines
 
     /// At all times, before and after: for a simulation that has not begun and will at @p t [s]. @throws as above.
     void begin_with(double value);
-    void begin_with(std::shared_ptr<const Drive> course, double t);
+    void begin_with(std::shared_ptr<const Drive> course, double t); ///< The same with a course, from @p t on [s].
 
     /// What is followed, to be put back later.
     struct Courses
     {
       std::shared_ptr<const Drive> before; ///< until `since`
-      std::shared_ptr<const Drive> now;
-      double                       since; ///< [s]
+      std::shared_ptr<const Drive> now;    ///< from `since` on
+      double                       since;  ///< [s]
     };
-    const Courses &courses() const { return courses_; }
-    void           put_back(Courses courses) { courses_ = std::move(courses); }
+    const Courses &courses() const { return courses_; }                         ///< what is followed now
+    void           put_back(Courses courses) { courses_ = std::move(courses); } ///< follows again what courses() gave
 
     /// @throws InputError at the place of the drive.
     [[noreturn]] void refuse(const std::string &what, const std::string &expected) const;
@@ -55,9 +55,9 @@ namespace myolines
   class SteeredDrive : public Drive
   {
   public:
-    explicit SteeredDrive(std::shared_ptr<Steering> steering);
+    explicit SteeredDrive(std::shared_ptr<Steering> steering); ///< Follows @p steering from now on.
 
-    const std::shared_ptr<Steering> &steering() const { return steering_; }
+    const std::shared_ptr<Steering> &steering() const { return steering_; } ///< what it follows
 
     double              value(double t, Side side) const override;
     double              first_derivative(double t, Side side) const override;
@@ -71,7 +71,8 @@ namespace myolines
   };
 
   /// Parameters of the alternative `steered` of a drive.
-  scene::Schema                 steered_schema(const std::string &quantity, const std::string &unit);
+  scene::Schema steered_schema(const std::string &quantity, const std::string &unit);
+  /// The drive that the list @p node describes, with a Steering of its own.
   std::unique_ptr<SteeredDrive> make_steered_drive(const scene::Node &node, const Driven &driven);
 
   /// What steers @p drive; nullptr: nothing does.

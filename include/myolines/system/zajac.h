@@ -17,7 +17,7 @@ namespace myolines
 
     /// a' [1/s]
     double rate(double excitation, double activation) const { return (excitation - decay(excitation) * activation) / time_constant; }
-    double decay(double excitation) const { return ratio + (1 - ratio) * excitation; }
+    double decay(double excitation) const { return ratio + (1 - ratio) * excitation; } ///< beta + (1 - beta) u, the factor of a
 
     /// The activation that a constant excitation holds.
     double steady(double excitation) const { return excitation / decay(excitation); }
@@ -30,10 +30,10 @@ namespace myolines
   class ZajacActivation : public Drive
   {
   public:
-    ZajacActivation(const Zajac &zajac, std::shared_ptr<const Drive> excitation);
+    ZajacActivation(const Zajac &zajac, std::shared_ptr<const Drive> excitation); ///< Of an @p excitation in [0, 1].
     ~ZajacActivation() override;
 
-    const Drive &excitation() const { return *excitation_; }
+    const Drive &excitation() const { return *excitation_; } ///< u(t)
 
     double              value(double t, Side side) const override;
     double              first_derivative(double t, Side side) const override;

@@ -60,5 +60,5 @@ namespace myolines
 
   /// The choice `force evaluation`, and what was chosen.
   void            declare_force_evaluation(scene::Schema &schema, const std::string &fallback);
-  ForceEvaluation force_evaluation(const scene::Node &integrator);
+  ForceEvaluation force_evaluation(const scene::Node &integrator); ///< The choice that the list @p integrator makes.
 } // namespace myolines

@@ -7,6 +7,7 @@
 
 namespace myolines
 {
+  /// A summand of combine().
   struct Term
   {
     double        factor; ///< of the vector

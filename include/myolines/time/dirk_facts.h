@@ -18,10 +18,11 @@ namespace myolines
     unsigned int stage_order    = 0;     ///< largest q up to 4 with sum_j a_ij c_j^(q-1) = c_i^q / q for all stages
     double       at_infinity    = 0;     ///< |R(z)| as z -> -infinity
     bool         a_stable       = false; ///< |R(i y)| <= 1, looked at for y from 1e-4 to 1e6
-    bool         l_stable() const { return a_stable && at_infinity < 1e-12; }
+    /// A-stable, and nothing is left of the stiffest components after one step
+    bool l_stable() const { return a_stable && at_infinity < 1e-12; }
   };
 
-  DirkFacts facts_of(const DirkTable &table);
+  DirkFacts facts_of(const DirkTable &table); ///< Computes them from the coefficients.
 
   /// R(z) of u' = lambda u, z = lambda dt: the factor of one step.
   std::complex<double> stability_function(const DirkTable &table, std::complex<double> z);

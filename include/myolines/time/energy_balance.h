@@ -14,8 +14,9 @@ namespace myolines
     /// A rise of the drift between two times.
     struct Gain
     {
-      double from = 0, to = 0; ///< [s]
-      double size = 0;         ///< [J], >= 0
+      double from = 0; ///< when the drift was lowest [s]
+      double to   = 0; ///< when it had risen [s]
+      double size = 0; ///< [J], >= 0
     };
 
     double drift     = 0; ///< [J]
@@ -44,16 +45,16 @@ namespace myolines
     /// last look, is work of the boundary that jumps.
     void restarted(double t, const Energetics &now);
 
-    bool   started() const { return before_.has_value(); }
+    bool   started() const { return before_.has_value(); }                          ///< whether the balance has begun
     bool   looked_at(const double t) const { return started() && looked_at_ == t; } ///< whether the energy is known
-    double active_work() const { return works_.active; }
-    double dissipated() const { return works_.dissipation; }
-    double external_work() const { return works_.external; }
+    double active_work() const { return works_.active; }                            ///< of what is active, since the start [J]
+    double dissipated() const { return works_.dissipation; }                        ///< since the start [J], >= 0
+    double external_work() const { return works_.external; }                        ///< of loads and prescribed motion, since the start [J]
 
     /// As of the last energy.
     const EnergyReport &report() const { return report_; }
 
-    void save(Archive &archive) const;
+    void save(Archive &archive) const; ///< all of it, for a checkpoint
     void load(const Archive &archive); ///< if it was saved there
 
   private:

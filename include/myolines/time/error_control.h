@@ -64,6 +64,7 @@ namespace myolines
   /// What the list `time` asks for: its `step` is the first one. @throws InputError if its parameters contradict each other.
   ErrorControlLimits error_control_limits(const scene::Node &time);
 
+  /// That of the list `time`, for a method whose estimates are O(dt^k), k = @p exponent.
   std::unique_ptr<StepControl> make_error_control(const scene::Node &time, unsigned int exponent);
 
   /// The norm that goes with the step control of the list `time`; none if its steps are not chosen by error.

@@ -11,6 +11,7 @@ namespace myolines
   /// Tolerated errors of one step.
   struct ErrorTolerances
   {
+    /// Tolerances of displacements, or of velocities.
     struct Block
     {
       double relative; ///< of the size of the block

@@ -36,11 +36,11 @@ namespace myolines
     /// A smooth piece begins at @p state, which gets its boundary velocities and consistent accelerations (start.h), or without inertia
     /// consistent velocities of the free unknowns. @throws SolveError if there are none.
     void start_piece(State &state);
-    bool begins_piece(double t) const { return piece_begin_ == t; }
+    bool begins_piece(double t) const { return piece_begin_ == t; } ///< whether @p t is that beginning, bit for bit
 
-    std::size_t n_free() const { return free_.size(); } ///< of this rank
-    std::size_t n_free_of_all_ranks() const { return n_free_of_all_ranks_; }
-    MPI_Comm    communicator() const { return full_.u.get_mpi_communicator(); }
+    std::size_t n_free() const { return free_.size(); }                         ///< of this rank
+    std::size_t n_free_of_all_ranks() const { return n_free_of_all_ranks_; }    ///< the sum of n_free()
+    MPI_Comm    communicator() const { return full_.u.get_mpi_communicator(); } ///< the ranks that share the system
 
     /// u, v and, where @p a is given, a of the free unknowns.
     void gather(const State &state, double *y, double *a = nullptr) const;
@@ -61,16 +61,16 @@ namespace myolines
     /// y = (w.u K + w.v C + w.a M) x of the last linearise().
     void apply(const Weights &w, const double *x, double *y);
 
-    /// x with M x = b, to twelve digits, and y = M x. The mass is that at the point of the first linearise_mass(). False: see
-    /// take_reason().
+    /// For the two below. The mass is that at the point of the first call.
     void linearise_mass(double t, const double *y);
+    /// x with M x = b, to twelve digits. False: see take_reason().
     bool solve_mass(const double *b, double *x);
-    void apply_mass(const double *x, double *y);
+    void apply_mass(const double *x, double *y); ///< y = M x
 
     /// For what else is to be solved in the same storage.
     StageSolver &stage_solver() { return solver_; }
 
-    bool has_reason() const { return !reason_.empty(); }
+    bool has_reason() const { return !reason_.empty(); } ///< whether take_reason() has something
 
     /// Why the last call that failed did so, and forgets it; empty if none has.
     std::string take_reason() { return std::exchange(reason_, {}); }

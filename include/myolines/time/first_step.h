@@ -29,7 +29,7 @@ namespace myolines
     /// Of the beginning of a piece: see start_piece(), and with own formulas consistent_acceleration().
     void start(State &state);
 
-    /// Begins a piece before it is due: a kink lies in or just beyond the next step, which is L-stable as well.
+    /// Begins a piece before it is due: a kink lies in the next step or a little beyond it, which is L-stable as well.
     void kink_ahead() { due_ = stepper_ ? steps_ + 1 : 0; }
 
     /// Whether the next step is one of the first of its piece and not by own formulas.
@@ -60,5 +60,5 @@ namespace myolines
 
   /// The choice `first step`, and what was chosen.
   void      declare_first_step(scene::Schema &schema);
-  FirstStep first_step(const scene::Node &integrator);
+  FirstStep first_step(const scene::Node &integrator); ///< The choice that the list @p integrator makes.
 } // namespace myolines

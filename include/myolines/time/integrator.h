@@ -37,11 +37,11 @@ namespace myolines
     /// Which unknowns a method takes. Those of order 0 or 1, all of them in a system without inertia, have no accelerations M a = -F.
     enum class Unknowns
     {
-      every_order,
-      every_order_if_damped, ///< where its parameters damp accelerations, else of second order
-      first_or_second_order, ///< all of second order with inertia, or all of first order
-      second_order
-    } unknowns = Unknowns::every_order;
+      every_order,                      ///< algebraic, first and second order
+      every_order_if_damped,            ///< where its parameters damp accelerations, else of second order
+      first_or_second_order,            ///< all of second order with inertia, or all of first order
+      second_order                      ///< with inertia only
+    } unknowns = Unknowns::every_order; ///< which unknowns the method takes
 
     bool two_states = false; ///< takes forces of two states, see Point::before, of systems that are not linear
 
@@ -51,17 +51,17 @@ namespace myolines
     /// What a step solves, which says what limits its size.
     enum class Solves
     {
-      nonlinear_equations, ///< iterates until they hold: nothing but accuracy
-      linear_systems,      ///< linearly implicit, no iteration: what is left of nonlinear equations is never looked at
-      mass                 ///< explicit: stability
-    } solves = Solves::nonlinear_equations;
+      nonlinear_equations,                  ///< iterates until they hold: nothing but accuracy
+      linear_systems,                       ///< linearly implicit, no iteration: what is left of nonlinear equations is never looked at
+      mass                                  ///< explicit: stability
+    } solves = Solves::nonlinear_equations; ///< what a step solves
 
     /// After load(): exact (bit-equal) or reinitialised (history is lost).
     enum class Restart
     {
-      exact,
-      reinitialise
-    } restart = Restart::exact;
+      exact,                    ///< the next step is bit-equal
+      reinitialise              ///< history is lost, and the method begins anew
+    } restart = Restart::exact; ///< what load() gives back
   };
 
   /// How the velocity and acceleration of moving boundaries are made.
@@ -82,27 +82,28 @@ namespace myolines
   /// How a step ended. Failure is a value, never an exception.
   struct StepReport
   {
+    /// What became of the step.
     enum class Outcome
     {
-      accepted,
-      not_converged,
-      inadmissible,
-      error_too_large,
-      energy_gained
+      accepted,        ///< the state is at the end of the step
+      not_converged,   ///< the nonlinear or a linear solver has failed
+      inadmissible,    ///< no state with det F > 0 was found
+      error_too_large, ///< the estimate exceeds the tolerance
+      energy_gained    ///< the balance of energy gained too much
     };
-    Outcome               outcome = Outcome::accepted;
-    std::string           reason;
+    Outcome               outcome = Outcome::accepted; ///< what became of the step
+    std::string           reason;                      ///< why it was not accepted; else empty
     std::string           advice;                      ///< what may help, beside what the control of steps says
     bool                  shorter_steps        = true; ///< whether that may help
-    unsigned int          newton_iterations    = 0;
-    unsigned int          linear_iterations    = 0;
-    unsigned int          residual_evaluations = 0;
-    std::optional<double> initial_residual; ///< l2 over free unknowns after the lift, of methods that iterate
-    std::optional<double> final_residual;
-    std::optional<double> longest_step;   ///< that the method takes from here [s], where a step was refused for its length
-    std::optional<double> error_estimate; ///< relative to the tolerances, if the method estimates it
+    unsigned int          newton_iterations    = 0;    ///< of all stages
+    unsigned int          linear_iterations    = 0;    ///< in all of them
+    unsigned int          residual_evaluations = 0;    ///< those of line searches among them
+    std::optional<double> initial_residual;            ///< l2 over free unknowns after the lift, of methods that iterate
+    std::optional<double> final_residual;              ///< the same at the end
+    std::optional<double> longest_step;                ///< that the method takes from here [s], where a step was refused for its length
+    std::optional<double> error_estimate;              ///< relative to the tolerances, if the method estimates it
 
-    bool accepted() const { return outcome == Outcome::accepted; }
+    bool accepted() const { return outcome == Outcome::accepted; } ///< whether the state is at the end of the step
   };
 
   class ErrorNorm;
@@ -111,11 +112,11 @@ namespace myolines
   /// What every integrator gets to work with. All references outlive the integrator.
   struct IntegratorContext
   {
-    const SemiDiscreteSystem &system;
-    NonlinearSolver          &solver;
-    BoundaryRates             boundary_rates;
-    WorkLedger               &ledger;
-    StartVelocity             start_velocity = StartVelocity::consistent;
+    const SemiDiscreteSystem &system;                                     ///< what is advanced
+    NonlinearSolver          &solver;                                     ///< for implicit stages
+    BoundaryRates             boundary_rates;                             ///< of the scene
+    WorkLedger               &ledger;                                     ///< for counts
+    StartVelocity             start_velocity = StartVelocity::consistent; ///< of the scene
 
     /// Given: steps are estimated and refused (Outcome::error_too_large) where the norm exceeds 1, and nonlinear solves are as
     /// accurate as that needs. None: nothing is estimated.
@@ -135,12 +136,15 @@ namespace myolines
   public:
     virtual ~TimeMethod() = default;
 
-    virtual void start(State &state) = 0;
+    virtual void start(State &state) = 0; ///< a smooth piece begins at @p state
 
+    ///@{
+    /// Tells what is kept from step to step.
     virtual void remember(Memory &) {}
 
     virtual void save(Archive &archive) const;
     virtual void load(const Archive &archive);
+    ///@}
   };
 
   /// One-step contract.
@@ -149,7 +153,7 @@ namespace myolines
   class Integrator : public TimeMethod
   {
   public:
-    virtual StepReport step(double dt, State &state) = 0;
+    virtual StepReport step(double dt, State &state) = 0; ///< one step of @p dt > 0 [s]
   };
 
   /// Methods whose steps are their own choice.
@@ -159,14 +163,14 @@ namespace myolines
   class SelfPacedIntegrator : public TimeMethod
   {
   public:
-    virtual StepReport advance(double t_stop, State &state) = 0;
+    virtual StepReport advance(double t_stop, State &state) = 0; ///< one step, to @p t_stop [s] at most
   };
 
   /// What one file in integrators/ provides: facts, parameters, and how to make one, or both kinds.
   struct IntegratorEntry
   {
-    MethodFacts   facts;
-    scene::Schema schema;
+    MethodFacts   facts;  ///< of the defaults
+    scene::Schema schema; ///< of its parameters
 
     /// Of a system that fits the facts: see make_integrator(), which looks at that, and is what others call.
     std::function<std::unique_ptr<Integrator>(const scene::Node &, const IntegratorContext &)> make;
@@ -198,7 +202,7 @@ namespace myolines
   /// Facts of the method with the parameters of @p integrator.
   MethodFacts facts_with(const IntegratorEntry &entry, const scene::Node &integrator);
 
-  inline const std::string &name_of(const IntegratorEntry &entry) { return entry.facts.name; }
+  inline const std::string &name_of(const IntegratorEntry &entry) { return entry.facts.name; } ///< For Registry.
 
   /// All integrators of integrators/list.def, in its order, then those of plug-ins.
   Registry<IntegratorEntry> &integrator_registry();

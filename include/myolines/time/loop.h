@@ -17,7 +17,7 @@ namespace myolines
   {
     restart, ///< land on them and restart the integrator with right limits
     land,    ///< land on them only
-    ignore
+    ignore   ///< steps go across them
   };
 
   /// One attempted step, for observers and steps.csv.
@@ -26,7 +26,7 @@ namespace myolines
     std::size_t number = 0; ///< accepted steps so far, this one included if accepted
     double      t      = 0; ///< end of the step [s]
     double      dt     = 0; ///< [s]
-    StepReport  report;
+    StepReport  report;     ///< how it ended
   };
 
   /// Watches a run. Observers never change the state or the steps.
@@ -78,14 +78,15 @@ namespace myolines
     virtual void ended(const State &state, std::size_t step) = 0;
   };
 
+  /// From when to when a run goes, and where it must land.
   struct LoopSettings
   {
-    double              start  = 0; ///< [s]
-    double              end    = 0; ///< [s]
-    Events              events = Events::restart;
-    std::vector<double> landings;           ///< further times to land on [s], ascending
-    std::size_t         steps_done = 0;     ///< accepted steps before the given state, of a resumed run
-    bool                resumed    = false; ///< integrator and control have been loaded
+    double              start  = 0;               ///< [s]
+    double              end    = 0;               ///< [s]
+    Events              events = Events::restart; ///< how kinks are treated
+    std::vector<double> landings;                 ///< further times to land on [s], ascending
+    std::size_t         steps_done = 0;           ///< accepted steps before the given state, of a resumed run
+    bool                resumed    = false;       ///< integrator and control have been loaded
   };
   /// @throws InputError if `land on` holds what is no time between start and end.
   LoopSettings loop_settings(const scene::Node &time);

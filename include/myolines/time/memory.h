@@ -14,6 +14,7 @@ namespace myolines
     static Memory into(Archive &archive) { return {&archive, nullptr}; }         ///< a memory that saves
     static Memory out_of(const Archive &archive) { return {nullptr, &archive}; } ///< a memory that loads
 
+    ///@{
     /// Puts the value into the archive, or gives it the one that is there. @throws std::out_of_range if there is none.
     void keep(const std::string &name, double &number)
     {
@@ -36,6 +37,7 @@ namespace myolines
       keep(name, number);
       count = static_cast<unsigned int>(number);
     }
+    ///@}
 
     /// A vector that has its layout.
     void keep(const std::string &name, Vector &vector)

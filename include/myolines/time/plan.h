@@ -12,6 +12,7 @@ namespace myolines
   class Plan
   {
   public:
+    /// One step of the plan.
     struct Step
     {
       double begin; ///< [s]

@@ -17,8 +17,9 @@ namespace myolines
   /// g(t): its constrained unknowns take d2g/dt2 with either kind of rates, and v by the formula with scheme rates.
   struct Stage
   {
-    double        t    = 0; ///< end of the stage [s]
-    Side          side = Side::left;
+    /// end of the stage [s]
+    double        t    = 0;          ///< end of the stage [s]
+    Side          side = Side::left; ///< of a kink at t
     Weights       c;                 ///< c_u, c_v, c_a
     double        scale   = 1;       ///< s
     const Vector *history = nullptr; ///< r*, or none
@@ -26,9 +27,9 @@ namespace myolines
     /// The residual is evaluated at offset + weight * (end of the stage), component by component, with loads of instant t.
     struct Average
     {
-      double       t;
-      const State *offset;
-      Weights      weight;
+      double       t;      ///< instant of the loads [s]
+      const State *offset; ///< of u, v and a
+      Weights      weight; ///< of u, v and a
     };
     const Average *average = nullptr; ///< none: at the end of the stage
 
@@ -49,7 +50,7 @@ namespace myolines
   class StageSolver
   {
   public:
-    explicit StageSolver(const IntegratorContext &context);
+    explicit StageSolver(const IntegratorContext &context); ///< Of the system and with the solver of @p context.
     ~StageSolver();
 
     /// On entry @p point holds the predictors (u~, v~, a~) with t ignored, and @p d the initial guess (usually 0).

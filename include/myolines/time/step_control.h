@@ -44,9 +44,12 @@ namespace myolines
   /// Parameters of the list `time`: start, end, step or steps, control, boundary rates, start velocity, events.
   scene::Schema time_schema();
 
+  ///@{
+  /// What the list `time` says of moving boundaries, and of the start.
   BoundaryRates boundary_rates(const scene::Node &time);
   StartVelocity start_velocity(const scene::Node &time);
   bool          starts_from_equilibrium(const scene::Node &time);
+  ///@}
 
   /// Piece "count x size" of a schedule such as "4 x 0.025; 8 x 0.0125".
   struct SchedulePiece

@@ -9,13 +9,18 @@ namespace myolines
   template <typename P = double>
   struct ActiveFibre : LawOfFibres<ActiveFibre<P>>
   {
+    ///@{
+    /// As law.h has it.
     static constexpr const char *name  = "active fibre";
     static constexpr const char *doc   = "Active stress of muscle fibres, sigma0 a sA(lam) sV(e), thesis appendix A.2 or tissues/curves.";
     static constexpr Rates       rates = Rates::some;
     static constexpr bool        stress_at_rest = true;
+    ///@}
 
-    P sigma0 = 2e5, maximum_rate = 5;
+    P sigma0       = 2e5; ///< maximum isometric stress [Pa]
+    P maximum_rate = 5;   ///< e0 [1/s]
 
+    /// See law.h.
     template <typename Visit>
     void parameters(const Visit &visit)
     {
@@ -34,6 +39,7 @@ namespace myolines
         sV = curves::force_velocity(e, curves);
       return {strength * sA.value * sV.value, strength * sA.slope * sV.value, strength * sA.value * sV.slope};
     }
+    /// sigma_f at lam and lam-dot [1/s].
     template <typename T, typename S>
     MYOLINES_INLINE FibreResponse<T> response(const T &lam, const T &lam_rate, const S &s) const
     {

@@ -10,19 +10,24 @@ namespace myolines
   ///     sigma_f = eta lam-dot / lam,   P = sigma_f/lam dlam/dF = eta (N : F_rate) N,   N = (dlam/dF) / lam.
   struct FibreViscosity
   {
+    ///@{
+    /// As law.h has it.
     static constexpr const char *name = "fibre viscosity";
     static constexpr const char *doc  = "Newtonian viscosity along the fibres: sigma = eta lam-dot/lam of the isochoric fibre stretch lam.";
     static constexpr Rates       rates          = Rates::all;
     static constexpr bool        stress_at_rest = false;
+    ///@}
 
-    double viscosity = 100;
+    double viscosity = 100; ///< eta [Pa s]
 
+    /// See law.h.
     template <typename Visit>
     void parameters(const Visit &visit)
     {
       visit(viscosity, "viscosity", "Pa s", Bound::not_negative, "eta.");
     }
 
+    /// P [Pa]
     template <typename T, typename A>
     MYOLINES_INLINE Mat3<T> stress(const Strain<T, A> &s) const
     {

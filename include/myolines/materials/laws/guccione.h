@@ -13,14 +13,21 @@ namespace myolines
   /// Directions s and n across the fibre need not be known: E_fs^2 + E_fn^2 = |E f|^2 - E_ff^2, and the rest of E : E is that of bt.
   struct Guccione
   {
+    ///@{
+    /// As law.h has it.
     static constexpr const char *name = "guccione";
     static constexpr const char *doc =
         "Exponential law of passive myocardium, stiffer along the fibres, Guccione et al. (1991), isochoric.";
     static constexpr Rates rates          = Rates::none;
     static constexpr bool  stress_at_rest = false;
+    ///@}
 
-    double C = 2e3, bf = 8, bt = 2, bfs = 4;
+    double C   = 2e3; ///< [Pa]
+    double bf  = 8;   ///< along the fibre
+    double bt  = 2;   ///< across it
+    double bfs = 4;   ///< shear between both
 
+    /// See law.h.
     template <typename Visit>
     void parameters(const Visit &visit)
     {
@@ -34,10 +41,12 @@ namespace myolines
     template <typename T>
     struct Green
     {
-      Mat3<T> E;
-      Vec3<T> Ef;
-      T       Eff, exp_Q;
+      Mat3<T> E;     ///< isochoric Green strain
+      Vec3<T> Ef;    ///< its part along the fibre
+      T       Eff;   ///< E_ff
+      T       exp_Q; ///< exp Q
     };
+    /// All of these.
     template <typename T, typename A>
     MYOLINES_INLINE Green<T> green(const Strain<T, A> &s) const
     {
@@ -47,6 +56,7 @@ namespace myolines
       return {E, Ef, Eff, exp(bf * along + bt * (dot(E, E) - 2. * Ef2 + along) + 2. * bfs * (Ef2 - along))};
     }
 
+    /// P [Pa]
     template <typename T, typename A>
     MYOLINES_INLINE Mat3<T> stress(const Strain<T, A> &s) const
     {
@@ -58,6 +68,7 @@ namespace myolines
       return s.power * (FS - (1. / 3.) * dot(FS, s.F) * s.H);
     }
 
+    /// Psi [J/m^3]
     template <typename T>
     T energy(const Strain<T> &s) const
     {

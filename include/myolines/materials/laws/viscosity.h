@@ -10,13 +10,18 @@ namespace myolines
   ///     sigma = 2 eta (D - tr(D)/3 I) + zeta tr(D) I.
   struct Viscosity
   {
+    ///@{
+    /// As law.h has it.
     static constexpr const char *name           = "viscosity";
     static constexpr const char *doc            = "Newtonian viscosity in all directions: sigma = 2 eta dev D + zeta tr(D) I.";
     static constexpr Rates       rates          = Rates::all;
     static constexpr bool        stress_at_rest = false;
+    ///@}
 
-    double shear = 10, bulk = 0;
+    double shear = 10; ///< eta [Pa s]
+    double bulk  = 0;  ///< zeta [Pa s]
 
+    /// See law.h.
     template <typename Visit>
     void parameters(const Visit &visit)
     {
@@ -24,6 +29,7 @@ namespace myolines
       visit(bulk, "bulk viscosity", "Pa s", Bound::not_negative, "zeta, against changes of volume.");
     }
 
+    /// P [Pa]
     template <typename T, typename A>
     MYOLINES_INLINE Mat3<T> stress(const Strain<T, A> &s) const
     {

@@ -10,16 +10,21 @@ namespace myolines
   template <typename P = double>
   struct Yeoh : IsotropicLaw<Yeoh<P>>
   {
+    ///@{
+    /// As law.h has it.
     static constexpr const char *name = "yeoh";
     static constexpr const char *doc  = "Isotropic energy sum c_k (I1 - 3)^k; with c1 alone a neo-Hookean law of shear modulus 2 c1.";
+    ///@}
 
-    P c[3] = {1e4, 0, 0};
+    P c[3] = {1e4, 0, 0}; ///< c_1, c_2, c_3 [Pa]
 
-    Yeoh() = default;
+    Yeoh() = default; ///< with the default of the constants
+    /// With three @p constants.
     MYOLINES_INLINE explicit Yeoh(const P *constants)
       : c{constants[0], constants[1], constants[2]}
     {}
 
+    /// See law.h.
     template <typename Visit>
     void parameters(const Visit &visit)
     {
@@ -28,6 +33,7 @@ namespace myolines
       visit(c[2], "c3", "Pa", Bound::any, "Of (I1 - 3)^3.");
     }
 
+    /// Psi' and Psi'' at @p I1.
     template <typename T>
     MYOLINES_INLINE IsotropicResponse<T> response(const T &I1) const
     {
@@ -35,6 +41,7 @@ namespace myolines
       return {c[0] + x * (T(2.) * c[1] + x * T(3.) * c[2]), T(2.) * c[1] + x * T(6.) * c[2]};
     }
 
+    /// Psi [J/m^3]
     template <typename T>
     T energy_of(const T &I1) const
     {
