@@ -119,6 +119,38 @@ namespace myolines
       EXPECT_NE(test::refusal_of(assembled("0, 0, zero\n")).find("\"zero\" stands where a number of a motion"), std::string::npos);
     }
 
+    TEST(AbaqusFiles, NamesAreEqualInAnyCaseAndMayNameTheirInstance)
+    {
+      const std::string head = "*Part, name=P\n" + nodes() + cells() +
+                               "*End Part\n*Assembly, name=A\n*Instance, name=Belly-1, part=P\n*End Instance\n",
+                        sides  = "*Elset, elset=first, instance=Belly-1\n1,\n*Surface, type=ELEMENT, name=c\nBelly-1.First, S6\n"
+                                 "*Surface, type=ELEMENT, name=d\nBELLY-1.2, S4\n",
+                        points = "*Nset, nset=c\nBelly-1.5, BELLY-1.20, Belly-1.35, Belly-1.50\n*Nset, nset=D, instance=Belly-1\n15, 30\n"
+                                 "*Nset, nset=d, instance=Belly-1\n45, 60\n";
+      for (const std::string &text : {head + sides + "*End Assembly\n", head + points + "*End Assembly\n"})
+        {
+          const PlainMesh mesh = test::mesh_of(text);
+          ASSERT_EQ(mesh.faces.size(), 2u) << text;
+          std::map<std::string, double> places;
+          for (const auto &face : mesh.faces)
+            places[mesh.face_groups.at(face.group)] = mesh.points[face.corner[0]][0];
+          EXPECT_EQ(places["c"], 0) << text;
+          EXPECT_EQ(places.count("d") + places.count("D"), 1u) << text;
+          EXPECT_EQ(places["d"] + places["D"], 2.5) << text;
+        }
+      EXPECT_NE(test::refusal_of("*Part, name=P\n" + nodes() + "*End Part\n*Part, name=Q\n" + nodes()).find("nodes of several parts"),
+                std::string::npos);
+    }
+
+    TEST(AbaqusFiles, ExponentsMayBeThoseOfFortran)
+    {
+      const PlainMesh mesh = test::mesh_of("*NODE\n1,0,0,0\n2,1.5D-02,0,0\n3,0,2.d+1,0\n4,0,0,1e-2\n*ELEMENT,TYPE=C3D4\n1,1,2,3,4\n");
+      EXPECT_EQ(mesh.points[1][0], 0.015);
+      EXPECT_EQ(mesh.points[2][1], 20);
+      for (const char *word : {"1.5D", "1.5D+", "D-02", "1.5DD2", "1.5D2D2"})
+        EXPECT_NE(test::refusal_of("*NODE\n1,0,0," + std::string(word) + "\n").find("a coordinate"), std::string::npos) << word;
+    }
+
     TEST(AbaqusFiles, NoDamageDoesAnyHarm)
     {
       for (const std::string &text : all_ways())

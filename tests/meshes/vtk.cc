@@ -8,6 +8,8 @@
 
 #include <zlib.h>
 
+#include <cmath>
+
 namespace myolines
 {
   namespace
@@ -246,6 +248,31 @@ namespace myolines
             EXPECT_EQ(mesh.cell_fields[0].values, (std::vector<double>{3, 4, 5, 6, 7, 8}));
             EXPECT_EQ(mesh.point_fields.at(0).values.at(11), 5.5);
           }
+    }
+
+    TEST(VtkFiles, WhatOnlyPicturesNeedIsPassedOver)
+    {
+      const auto repeated = [](const std::string &text, const int n) {
+        std::string all;
+        for (int i = 0; i < n; ++i)
+          all += text;
+        return all;
+      };
+      const std::string behind = "SCALARS last float\nLOOKUP_TABLE mine\n";
+      const std::string text   = legacy(false, false) + "COLOR_SCALARS c 3\n" + repeated("0.5 0 1\n", 12) +
+                               "LOOKUP_TABLE mine 2\n0 0 0 1 1 1 1 1\n" + "TEXTURE_COORDINATES t 2 float\n" + repeated("0 1 ", 12) + "\n" +
+                               behind + repeated("nan 2 ", 6) + "\n";
+      const std::string bytes = legacy(true, false) + "COLOR_SCALARS c 3\n" + repeated("\n  ", 12) + "\nLOOKUP_TABLE mine 2\n" +
+                                repeated("$ \n1", 2) + "\nTEXTURE_COORDINATES t 2 float\n" + repeated(std::string(8, '\0'), 12) + "\n" +
+                                behind + repeated(std::string("\x7f\xc0\0\0@\0\0\0", 8), 6) + "\n";
+      for (const std::string &file : {text, bytes})
+        {
+          const PlainMesh mesh = test::mesh_of(file);
+          EXPECT_EQ(test::difference_from_two_cubes(mesh), "");
+          ASSERT_EQ(mesh.point_fields.size(), 2u);
+          EXPECT_TRUE(std::isnan(mesh.point_fields[1].values[0]));
+          EXPECT_EQ(mesh.point_fields[1].values[11], 2);
+        }
     }
 
     TEST(VtkFiles, NoDamageDoesAnyHarm)

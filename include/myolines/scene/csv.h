@@ -13,8 +13,9 @@ namespace myolines::scene
   {
     std::filesystem::path                 file;
     std::vector<std::string>              header;
-    std::vector<std::vector<std::string>> rows;  ///< each as long as the header
-    std::vector<unsigned int>             lines; ///< of the file that rows begin in, from 1
+    std::vector<std::vector<std::string>> rows;       ///< each as long as the header
+    std::vector<unsigned int>             lines;      ///< of the file that rows begin in, from 1
+    std::optional<bool>                   in_degrees; ///< what the header of a file of OpenSim says of angles
 
     /// Index of the column with that name; nothing if there is none.
     std::optional<std::size_t> column(const std::string &name) const;
@@ -33,7 +34,7 @@ namespace myolines::scene
 
   /// A file that a person gives: fields are separated by commas, semicolons or tabs, decimals by points or, where commas do not separate
   /// and no number has a point, by commas; lines that begin with # or % in front, "sep=;" of spreadsheets,
-  /// OpenSim's headers, white space around fields, empty lines
-  /// and separators at the ends of lines are left out. @throws InputError for what is no table.
+  /// OpenSim's headers, white space around fields, empty lines and separators at the ends of lines are left out. A line of units below the
+  /// names becomes part of them: "time" above "ms" is "time [ms]". @throws InputError for what is no table.
   CsvTable read_csv_input(const std::filesystem::path &file);
 } // namespace myolines::scene
