@@ -126,6 +126,8 @@ namespace myolines
           keyword_ = "*OTHER"; // a point of reference, with a number of its own
         if (keyword_ == "*ELEMENT")
           kind_ = abaqus_kind(upper(options_["TYPE"]), cursor_);
+        if (keyword_ == "*ELEMENT" && !kind_.shape)
+          keyword_ = "*OTHER";
         if (keyword_ == "*SURFACE" && upper(options_["TYPE"]) == "NODE")
           keyword_ = "*OTHER";
       }
@@ -215,16 +217,13 @@ namespace myolines
           cursor_.refuse("an element has " + std::to_string(element_.size() - 1) + " nodes", std::to_string(kind_.n_nodes));
         if (element_.size() < kind_.n_nodes + 1)
           return;
-        if (kind_.shape)
-          {
-            Element element{*kind_.shape, kind_.n_nodes == n_corners(*kind_.shape), {}, {}};
-            for (std::size_t i = 0; i < n_corners(*kind_.shape); ++i)
-              element.corners[i] = element_[i + 1];
-            if (!elements_.emplace(element_[0], element).second)
-              cursor_.refuse("the element " + std::to_string(element_[0]) + " is there twice", "one element for each number");
-            if (options_.count("ELSET") > 0)
-              element_sets_[name_of("ELSET")].push_back(element_[0]);
-          }
+        Element element{*kind_.shape, kind_.n_nodes == n_corners(*kind_.shape), {}, {}};
+        for (std::size_t i = 0; i < n_corners(*kind_.shape); ++i)
+          element.corners[i] = element_[i + 1];
+        if (!elements_.emplace(element_[0], element).second)
+          cursor_.refuse("the element " + std::to_string(element_[0]) + " is there twice", "one element for each number");
+        if (options_.count("ELSET") > 0)
+          element_sets_[name_of("ELSET")].push_back(element_[0]);
         element_.clear();
       }
 
@@ -317,13 +316,36 @@ namespace myolines
         const auto    &faces   = faces_of(element.shape);
         if (faces.empty())
           return builder_.add(element.shape, {group}, {element.corners.begin(), element.corners.end()});
+        if (side.empty())
+          return add_free_sides(element, group);
         const std::size_t f = side.size() == 2 && side[0] == 'S' ? static_cast<std::size_t>(side[1] - '1') : faces.size();
         if (f >= faces.size())
           cursor_.refuse("\"" + side + "\" is no side of the element " + std::to_string(number), "S1 to S" + std::to_string(faces.size()));
+        add_side(element, faces[f], group);
+      }
+
+      void add_side(const Element &element, const std::vector<unsigned int> &side, const int group)
+      {
         std::vector<std::int64_t> corners;
-        for (const unsigned int i : faces[f])
+        for (const unsigned int i : side)
           corners.push_back(element.corners[i]);
         builder_.add(corners.size() == 3 ? Shape::triangle : Shape::quadrilateral, {group}, corners);
+      }
+
+      /// Those that belong to no other element.
+      void add_free_sides(const Element &element, const int group)
+      {
+        if (outer_.empty())
+          for (const PlainMesh::Element &face : outer_faces(mesh_))
+            outer_.insert(face_key(face));
+        for (const auto &side : faces_of(element.shape))
+          {
+            PlainMesh::Element face{side.size() == 3 ? Shape::triangle : Shape::quadrilateral, group, {}};
+            for (std::size_t i = 0; i < side.size(); ++i)
+              face.corner[i] = *builder_.place(element.corners[side[i]]);
+            if (outer_.count(face_key(face)) > 0)
+              add_side(element, side, group);
+          }
       }
 
       /// Without surfaces, sets of nodes name the faces of the boundary all of whose corners they have.
@@ -361,6 +383,7 @@ namespace myolines
       std::map<std::int64_t, Element>                                          elements_;
       std::map<std::string, std::vector<std::int64_t>>                         element_sets_, node_sets_;
       std::vector<std::pair<std::string, std::pair<std::string, std::string>>> surfaces_;  ///< name; set or element, and side
+      std::set<FaceKey>                                                        outer_;     ///< once they are asked for
       std::map<std::string, std::string>                                       spellings_; ///< of names, by their capital letters
       std::string                                                              instance_;  ///< its name in capital letters
       unsigned int                                                             n_instances_ = 0, n_parts_ = 0;

@@ -33,9 +33,9 @@ namespace myolines
       if (type.rfind(family, 0) == 0)
         if (const auto found = surfaces.find(number_behind(std::string_view(family).size())); found != surfaces.end())
           return {found->first, found->second};
-    for (const char *const line : {"T3D2", "B31", "T3D3", "B32"})
-      if (type.rfind(line, 0) == 0)
-        return {line[1] == '3' && line[2] == '2' ? 3u : line[3] == '3' ? 3u : 2u, {}};
+    for (const char *const other : {"T3D", "B3", "MASS", "ROTARY", "SPRING", "DASHPOT", "CONN", "DCOUP", "GAP", "TRUSS", "FRAME", "PIPE"})
+      if (type.rfind(other, 0) == 0)
+        return {0, {}};
     cursor.refuse("elements of type \"" + type + "\" are not known",
                   "C3D8, C3D4, C3D6, C3D5, their kin of second order, and S3, S4, CPS3, CPS4");
   }

@@ -11,7 +11,7 @@ namespace myolines
   struct AbaqusKind
   {
     std::size_t                     n_nodes; ///< the corners first
-    std::optional<PlainMesh::Shape> shape;   ///< none: lines, springs, masses
+    std::optional<PlainMesh::Shape> shape;   ///< none, nor a number of nodes: lines, springs, masses, which are passed over
   };
 
   /// @throws InputError where @p type, in capital letters, is none that is known.

@@ -250,6 +250,21 @@ namespace myolines
           }
     }
 
+    TEST(VtkFiles, ArraysThatMayBeGroupsAreNoted)
+    {
+      const auto noted = [](const std::string &array, const std::string &values) {
+        return test::mesh_of(
+                   "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 float\n0 0 0 1 0 0 0 1 0 0 0 1 1 1 1 2 1 1\n"
+                   "CELLS 3 15\n4 0 1 2 3\n4 1 2 3 4\n4 1 2 4 5\nCELL_TYPES 3\n10 10 10\nCELL_DATA 3\nSCALARS " +
+                   array + " float 1\nLOOKUP_TABLE default\n" + values + "\n")
+            .possible_groups;
+      };
+      EXPECT_EQ(noted("region", "1 2 2"), std::vector<std::string>{"region"});
+      EXPECT_TRUE(noted("Tissue", "1 2 2").empty()) << "it is one";
+      for (const char *values : {"1 1 1", "1 2 3", "0.5 1 1", "-1 1 1", "nan 1 1"})
+        EXPECT_TRUE(noted("region", values).empty()) << values;
+    }
+
     TEST(VtkFiles, WhatOnlyPicturesNeedIsPassedOver)
     {
       const auto repeated = [](const std::string &text, const int n) {

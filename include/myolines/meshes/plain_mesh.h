@@ -47,8 +47,9 @@ namespace myolines
     std::map<std::size_t, std::vector<int>> further_groups;           ///< of cells in several groups, by place in the list
     std::map<int, std::string>              cell_groups, face_groups; ///< names by number, where they have one
     std::vector<Field>                      cell_fields, point_fields;
-    std::size_t                             straightened = 0; ///< cells of higher order, of which the corners are kept
-    std::string                             format;           ///< "Gmsh 4.1, binary"
+    std::vector<std::string> possible_groups;  ///< arrays of cells that could be numbers of groups, where none is known as such
+    std::size_t              straightened = 0; ///< cells of higher order, of which the corners are kept
+    std::string              format;           ///< "Gmsh 4.1, binary"
   };
 
   /// How many corners, of faces and cells.
