@@ -213,8 +213,9 @@ namespace myolines
       /// With d on top of what is predicted: r_ = R_I + F_E there, (M + dt C + dt^2 K) d = -r_.
       void solve(const double dt, const State &state, StepReport &report)
       {
-        const Point at{state.t, Side::right, state.u, state.v, end_.a};
-        record(context_.system.residual(at, r_), report);
+        const Point      at{state.t, Side::right, state.u, state.v, end_.a};
+        const Evaluation evaluation = context_.system.residual(at, r_);
+        record(evaluation, report);
         if (!report.accepted())
           return;
         solver_.linearise(at);
@@ -228,7 +229,7 @@ namespace myolines
             combine(r_, {{1, &r_}, {1, &product_}});
           }
         d_ = 0;
-        record(solver_.solve_linear({dt * dt, dt, 1}, r_, d_), report);
+        record(solver_.solve_linear({dt * dt, dt, 1}, r_, d_, false, evaluation.rounding), report);
         combine(end_.u, {{1, &end_.u}, {dt * dt, &d_}});
         combine(end_.v, {{1, &end_.v}, {dt, &d_}});
         combine(end_.a, {{1, &end_.a}, {1, &d_}});

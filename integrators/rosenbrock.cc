@@ -128,7 +128,7 @@ namespace myolines
         k1_ = 0;
         for (std::size_t i = 0; i < constrained_.size(); ++i)
           k1_.local_element(constrained_[i]) = k1_c_[i];
-        record(solver_.solve_linear(matrix(h), r_, k1_), report);
+        record(solver_.solve_linear(matrix(h), r_, k1_, false, rounding_), report);
         return report.accepted();
       }
 
@@ -149,7 +149,7 @@ namespace myolines
         change_ = 0;
         for (std::size_t i = 0; i < constrained_.size(); ++i)
           change_.local_element(constrained_[i]) = k2_c_[i] - k1_c_[i];
-        record(solver_.solve_linear(matrix(h), r_, change_), report);
+        record(solver_.solve_linear(matrix(h), r_, change_, false, rounding_), report);
         return report.accepted();
       }
 
@@ -193,7 +193,12 @@ namespace myolines
       }
 
       /// r_ = R(point).
-      void evaluate(const Point &point, StepReport &report) { record(context_.system.residual(point, r_), report); }
+      void evaluate(const Point &point, StepReport &report)
+      {
+        const Evaluation evaluation = context_.system.residual(point, r_);
+        rounding_                   = evaluation.rounding;
+        record(evaluation, report);
+      }
 
       static Weights matrix(const double h) { return {h * d * h * d, h * d, 1}; }
 
@@ -203,6 +208,7 @@ namespace myolines
       const std::vector<unsigned int> constrained_;
       std::vector<double>             k1_c_, k2_c_, k1_v_, k1_a_;
       Vector                          r_, k1_, change_, work_, zero_;
+      double                          rounding_ = 0; ///< of r_
       State                           middle_, end_;
     };
   } // namespace

@@ -182,6 +182,9 @@ namespace myolines
       hint = "the mesh names " + std::string(geometry.mesh->n_named == 0 ? "no surface" : "one surface only") +
              ": name some there (in Gmsh: Physical Surface), or by place in system/geometry/faces; \"" + MeshBody::rest +
              "\" is all that has no name (and boundary id 0)";
+    if (geometry.mesh)
+      for (const std::string &doubt : geometry.mesh->doubts)
+        hint += (hint.empty() ? "" : "; ") + doubt;
     node.refuse(parameter, "the body has no face \"" + name + "\"", "one of " + join(faces), hint);
   }
 

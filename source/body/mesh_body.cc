@@ -91,6 +91,9 @@ namespace myolines
       tell(done.loose, "faces with points of no cell: dropped", body.report);
       tell(done.twice, "cells were there twice: once taken", body.report);
       tell(done.turned, "left-handed cells: turned", body.report);
+      for (const std::string &array : mesh.possible_groups)
+        body.doubts.push_back("the array \"" + array + "\" of the mesh " + file.string() +
+                              " could be the groups of its cells and faces, but is not taken as such: a name like \"group\" would say so");
       refuse_what_is_no_body(mesh, refuse);
       tell_hinges(mesh, body.report);
       return mesh;

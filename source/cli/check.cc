@@ -5,6 +5,7 @@
 #include <myolines/cli/memory.h>
 #include <myolines/cli/plan.h>
 #include <myolines/cli/plugins.h>
+#include <myolines/output/text_file.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -64,15 +65,16 @@ namespace myolines
       const auto planned = experiment.planned_steps();
       if (!planned)
         {
-          out << "Steps: chosen by error from " << experiment.settings().start << " s to " << experiment.settings().end << " s, "
+          out << "Steps: chosen by error from " << exact_text(experiment.settings().start) << " s to "
+              << exact_text(experiment.settings().end) << " s, "
               << (experiment.paces_itself()                 ? "by the method itself"
                   : experiment.method().error_exponent != 0 ? "estimated by the method"
                                                             : "estimated by taking every step whole and in halves")
               << "\n";
           return;
         }
-      out << "Steps: " << (planned->complete ? "" : "more than ") << planned->n_steps << " from " << experiment.settings().start << " s to "
-          << experiment.settings().end << " s, if none is rejected\n";
+      out << "Steps: " << (planned->complete ? "" : "more than ") << planned->n_steps << " from " << exact_text(experiment.settings().start)
+          << " s to " << exact_text(experiment.settings().end) << " s, if none is rejected\n";
       unsigned int lines = 0;
       std::size_t  told  = 0;
       for (const Experiment::StepPlan::Run &run : planned->runs)
@@ -95,7 +97,7 @@ namespace myolines
           << "unknowns: " << experiment.assembled().system->n_unknowns() << "\n";
       const auto planned = experiment.planned_steps();
       out << "steps: " << (!planned ? "chosen by error" : (planned->complete ? "" : "more than ") + std::to_string(planned->n_steps))
-          << ", from " << experiment.settings().start << " s to " << experiment.settings().end << " s\n"
+          << ", from " << exact_text(experiment.settings().start) << " s to " << exact_text(experiment.settings().end) << " s\n"
           << memory_lines(experiment.scene()).front() << "\n"
           << predicted_cost(experiment) << "\n";
       for (const std::string &warning : experiment.warnings())

@@ -87,7 +87,7 @@ namespace myolines
     out << "Small motions e^(w t) about the initial state: " << all.size() << ", of which " << growing << " grow\n"
         << "  growth rate Re w [1/s]   Im w [1/s]\n";
     for (std::size_t i = 0; i < std::min(printed, all.size()); ++i)
-      out << "  " << all[i].real() << "   " << all[i].imag() << "   " << kind(all[i]) << "\n";
+      out << "  " << all[i].real() + 0. << "   " << all[i].imag() + 0. << "   " /* no -0 */ << kind(all[i]) << "\n";
     if (all.size() > printed)
       out << "  ... and " << all.size() - printed << " with smaller growth rates\n";
     if (file.empty())

@@ -92,6 +92,7 @@ namespace myolines
         reader.take(statement + text, line);
         statement.clear();
       }
+    reader.take(statement, line); // the last line may say that it goes on
     return reader.finish(line);
   }
 

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "abaqus_kinds.h"
 #include "abaqus_motion.h"
 #include "formats.h"
 
 #include <cmath>
-#include <optional>
 #include <set>
+#include <utility>
 
 namespace myolines
 {
   namespace
   {
     using Shape = PlainMesh::Shape;
-
-    std::string upper(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::toupper(c); });
-      return text;
-    }
 
     std::string_view without_blanks(std::string_view text)
     {
@@ -35,40 +30,6 @@ namespace myolines
           line.remove_prefix(std::min(comma + 1, line.size()));
         }
       return words;
-    }
-
-    /// A type of elements: how many nodes, the corners first.
-    struct AbaqusKind
-    {
-      std::size_t          n_nodes;
-      std::optional<Shape> shape; ///< none: lines, springs, masses
-    };
-
-    AbaqusKind abaqus_kind(const std::string &type, const Cursor &cursor)
-    {
-      static const std::map<std::size_t, Shape> solids{{4, Shape::tetrahedron}, {10, Shape::tetrahedron}, {5, Shape::pyramid},
-                                                       {13, Shape::pyramid},    {6, Shape::wedge},        {15, Shape::wedge},
-                                                       {8, Shape::hexahedron},  {20, Shape::hexahedron},  {27, Shape::hexahedron}};
-      static const std::map<std::size_t, Shape> surfaces{
-          {3, Shape::triangle}, {6, Shape::triangle}, {4, Shape::quadrilateral}, {8, Shape::quadrilateral}, {9, Shape::quadrilateral}};
-      const auto number_behind = [&](const std::size_t at) {
-        std::size_t n = 0;
-        for (std::size_t i = at; i < type.size() && type[i] >= '0' && type[i] <= '9' && n < 100; ++i)
-          n = 10 * n + static_cast<std::size_t>(type[i] - '0');
-        return n;
-      };
-      if (const std::size_t at = type.find("C3D"); at != std::string::npos)
-        if (const auto found = solids.find(number_behind(at + 3)); found != solids.end())
-          return {found->first, found->second};
-      for (const char *const family : {"SFM3D", "STRI", "CPS", "CPE", "M3D", "R3D", "S"})
-        if (type.rfind(family, 0) == 0)
-          if (const auto found = surfaces.find(number_behind(std::string_view(family).size())); found != surfaces.end())
-            return {found->first, found->second};
-      for (const char *const line : {"T3D2", "B31", "T3D3", "B32"})
-        if (type.rfind(line, 0) == 0)
-          return {line[1] == '3' && line[2] == '2' ? 3u : line[3] == '3' ? 3u : 2u, {}};
-      cursor.refuse("elements of type \"" + type + "\" are not known",
-                    "C3D8, C3D4, C3D6, C3D5, their kin of second order, and S3, S4, CPS3, CPS4");
     }
 
     class AbaqusReader
@@ -153,12 +114,20 @@ namespace myolines
         refuse_what_is_not_read();
         if (keyword_ == "*INSTANCE" && ++n_instances_ > 1)
           cursor_.refuse("there are several instances of parts", "one", "merge the parts");
+        if (keyword_ == "*INSTANCE")
+          instance_ = upper(options_["NAME"]);
+        if (keyword_ == "*PART")
+          part_is_new_ = true;
+        if (keyword_ == "*NODE" && std::exchange(part_is_new_, false) && ++n_parts_ > 1)
+          cursor_.refuse("there are nodes of several parts", "one part", "merge the parts, or leave out those without an instance");
         if (keyword_ == "*ASSEMBLY" || keyword_ == "*END ASSEMBLY" || keyword_ == "*INSTANCE" || keyword_ == "*END INSTANCE")
           beside_the_instance_ = keyword_ == "*ASSEMBLY" || keyword_ == "*END INSTANCE";
         if (keyword_ == "*NODE" && beside_the_instance_)
           keyword_ = "*OTHER"; // a point of reference, with a number of its own
         if (keyword_ == "*ELEMENT")
           kind_ = abaqus_kind(upper(options_["TYPE"]), cursor_);
+        if (keyword_ == "*ELEMENT" && !kind_.shape)
+          keyword_ = "*OTHER";
         if (keyword_ == "*SURFACE" && upper(options_["TYPE"]) == "NODE")
           keyword_ = "*OTHER";
       }
@@ -183,10 +152,23 @@ namespace myolines
       {
         if (options_[option].empty())
           cursor_.refuse(keyword_ + " has no name", option + "=NAME");
-        std::string name = options_[option];
+        return first_spelling(options_[option]);
+      }
+
+      /// Names without quotation marks are equal in any case: as it was written where it came first.
+      std::string first_spelling(const std::string_view name)
+      {
         if (name.size() > 1 && name.front() == '"' && name.back() == '"')
-          name = name.substr(1, name.size() - 2);
-        return name;
+          return std::string(name.substr(1, name.size() - 2));
+        return spellings_.emplace(upper(std::string(name)), name).first->second;
+      }
+
+      /// Without the name of the instance and a point in front, as sets and surfaces of the assembly have them.
+      std::string_view without_instance(const std::string_view word) const
+      {
+        const std::size_t n         = instance_.size();
+        const bool        qualified = n > 0 && word.size() > n + 1 && word[n] == '.' && upper(std::string(word.substr(0, n))) == instance_;
+        return qualified ? word.substr(n + 1) : word;
       }
 
       std::int64_t integer(const std::string_view word, const std::string &what) const
@@ -235,16 +217,13 @@ namespace myolines
           cursor_.refuse("an element has " + std::to_string(element_.size() - 1) + " nodes", std::to_string(kind_.n_nodes));
         if (element_.size() < kind_.n_nodes + 1)
           return;
-        if (kind_.shape)
-          {
-            Element element{*kind_.shape, kind_.n_nodes == n_corners(*kind_.shape), {}, {}};
-            for (std::size_t i = 0; i < n_corners(*kind_.shape); ++i)
-              element.corners[i] = element_[i + 1];
-            if (!elements_.emplace(element_[0], element).second)
-              cursor_.refuse("the element " + std::to_string(element_[0]) + " is there twice", "one element for each number");
-            if (options_.count("ELSET") > 0)
-              element_sets_[name_of("ELSET")].push_back(element_[0]);
-          }
+        Element element{*kind_.shape, kind_.n_nodes == n_corners(*kind_.shape), {}, {}};
+        for (std::size_t i = 0; i < n_corners(*kind_.shape); ++i)
+          element.corners[i] = element_[i + 1];
+        if (!elements_.emplace(element_[0], element).second)
+          cursor_.refuse("the element " + std::to_string(element_[0]) + " is there twice", "one element for each number");
+        if (options_.count("ELSET") > 0)
+          element_sets_[name_of("ELSET")].push_back(element_[0]);
         element_.clear();
       }
 
@@ -266,19 +245,21 @@ namespace myolines
         for (const std::string_view word : words)
           if (!word.empty())
             {
-              auto      &sets  = keyword_ == "*NSET" ? node_sets_ : element_sets_;
-              const auto other = sets.find(std::string(word));
+              auto                  &sets  = keyword_ == "*NSET" ? node_sets_ : element_sets_;
+              const std::string_view local = without_instance(word);
+              const auto             other = std::isfinite(number_of(local)) ? sets.end() : sets.find(first_spelling(local));
               if (other != sets.end() && &other->second != &set)
                 set.insert(set.end(), other->second.begin(), other->second.end());
               else
-                set.push_back(integer(word, "a number of a set"));
+                set.push_back(integer(local, "a number of a set"));
             }
       }
 
       void read_surface(const std::vector<std::string_view> &words)
       {
         if (!words.empty() && !words[0].empty())
-          surfaces_.emplace_back(name_of("NAME"), std::pair(std::string(words[0]), words.size() > 1 ? upper(std::string(words[1])) : ""));
+          surfaces_.emplace_back(
+              name_of("NAME"), std::pair(first_spelling(without_instance(words[0])), words.size() > 1 ? upper(std::string(words[1])) : ""));
       }
 
       /// Groups are numbered in the order of their names.
@@ -335,13 +316,36 @@ namespace myolines
         const auto    &faces   = faces_of(element.shape);
         if (faces.empty())
           return builder_.add(element.shape, {group}, {element.corners.begin(), element.corners.end()});
+        if (side.empty())
+          return add_free_sides(element, group);
         const std::size_t f = side.size() == 2 && side[0] == 'S' ? static_cast<std::size_t>(side[1] - '1') : faces.size();
         if (f >= faces.size())
           cursor_.refuse("\"" + side + "\" is no side of the element " + std::to_string(number), "S1 to S" + std::to_string(faces.size()));
+        add_side(element, faces[f], group);
+      }
+
+      void add_side(const Element &element, const std::vector<unsigned int> &side, const int group)
+      {
         std::vector<std::int64_t> corners;
-        for (const unsigned int i : faces[f])
+        for (const unsigned int i : side)
           corners.push_back(element.corners[i]);
         builder_.add(corners.size() == 3 ? Shape::triangle : Shape::quadrilateral, {group}, corners);
+      }
+
+      /// Those that belong to no other element.
+      void add_free_sides(const Element &element, const int group)
+      {
+        if (outer_.empty())
+          for (const PlainMesh::Element &face : outer_faces(mesh_))
+            outer_.insert(face_key(face));
+        for (const auto &side : faces_of(element.shape))
+          {
+            PlainMesh::Element face{side.size() == 3 ? Shape::triangle : Shape::quadrilateral, group, {}};
+            for (std::size_t i = 0; i < side.size(); ++i)
+              face.corner[i] = *builder_.place(element.corners[side[i]]);
+            if (outer_.count(face_key(face)) > 0)
+              add_side(element, side, group);
+          }
       }
 
       /// Without surfaces, sets of nodes name the faces of the boundary all of whose corners they have.
@@ -378,8 +382,12 @@ namespace myolines
       std::vector<std::int64_t>                                                element_; ///< number and nodes, as far as they are read
       std::map<std::int64_t, Element>                                          elements_;
       std::map<std::string, std::vector<std::int64_t>>                         element_sets_, node_sets_;
-      std::vector<std::pair<std::string, std::pair<std::string, std::string>>> surfaces_; ///< name; set or element, and side
-      unsigned int                                                             n_instances_ = 0;
+      std::vector<std::pair<std::string, std::pair<std::string, std::string>>> surfaces_;  ///< name; set or element, and side
+      std::set<FaceKey>                                                        outer_;     ///< once they are asked for
+      std::map<std::string, std::string>                                       spellings_; ///< of names, by their capital letters
+      std::string                                                              instance_;  ///< its name in capital letters
+      unsigned int                                                             n_instances_ = 0, n_parts_ = 0;
+      bool                                                                     part_is_new_ = false;         ///< it has no nodes yet
       AbaqusMotion                                                             motion_;                      ///< of the instance
       bool                                                                     beside_the_instance_ = false; ///< in the assembly
     };

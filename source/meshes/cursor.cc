@@ -27,9 +27,20 @@ namespace myolines
   {
     if (!word.empty() && word.front() == '+')
       word.remove_prefix(1);
-    double     value;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-    return result.ec == std::errc() && result.ptr == word.data() + word.size() ? value : std::numeric_limits<double>::quiet_NaN();
+    double      value;
+    const auto  result = std::from_chars(word.data(), word.data() + word.size(), value);
+    const char *end    = word.data() + word.size();
+    if (result.ec == std::errc() && result.ptr == end)
+      return value;
+    if (result.ec == std::errc() && (*result.ptr == 'D' || *result.ptr == 'd')) // programs in Fortran write 1.5D-03
+      {
+        std::string text(word);
+        text[static_cast<std::size_t>(result.ptr - word.data())] = 'e';
+        const auto again                                         = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (again.ec == std::errc() && again.ptr == text.data() + text.size())
+          return value;
+      }
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
   std::string_view Cursor::word()

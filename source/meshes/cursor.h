@@ -66,6 +66,6 @@ namespace myolines
     std::size_t                  at_ = 0;
   };
 
-  /// The finite number that a whole word spells; not a number if it spells none.
+  /// The number that a whole word spells, its exponent behind e, E, d or D; not a number if it spells none.
   double number_of(std::string_view word);
 } // namespace myolines

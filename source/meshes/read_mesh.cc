@@ -74,7 +74,7 @@ namespace myolines
     Cursor                 cursor(file, bytes);
     const std::string_view text = without_white_space(bytes);
     const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n"));
-    if (word == "$MeshFormat" || word == "$NOD")
+    if (word == "$MeshFormat" || word == "$NOD" || word == "$Comments")
       return read_gmsh(cursor);
     if (begins_with(text, "# vtk DataFile"))
       return read_legacy_vtk(cursor);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 namespace myolines
 {
@@ -67,6 +68,23 @@ namespace myolines
     /// Names that programs give to the numbers of the parts of a mesh, in small letters.
     const std::vector<std::string> group_names{"group",      "tissue",      "tissue_id", "gmsh:physical", "material",      "material_id",
                                                "materialid", "materialids", "medit:ref", "cell_tags",     "cellentityids", "boundary_id"};
+
+    /// Whether the numbers of @p field at @p rows could be those of groups: a few natural numbers.
+    bool may_be_groups(const PlainMesh::Field &field, const std::vector<std::size_t> &rows)
+    {
+      constexpr std::size_t most = 32;
+      std::set<double>      numbers;
+      for (const std::size_t row : rows)
+        {
+          const double x = field.values[row];
+          if (!(x >= 0 && x < std::numeric_limits<int>::max()) || x != std::floor(x))
+            return false;
+          numbers.insert(x);
+          if (numbers.size() > most)
+            return false;
+        }
+      return numbers.size() > 1 && numbers.size() < rows.size();
+    }
 
     /// An integer in [low, high]. @throws with @p what otherwise.
     std::size_t index(const double value, const std::size_t low, const std::size_t high, const std::string &what, const Cursor &cursor)
@@ -183,12 +201,19 @@ namespace myolines
     auto &of_points = mesh_.point_fields;
     of_points.erase(std::remove_if(of_points.begin(), of_points.end(), whole(n_points_)), of_points.end());
     cell_fields_.erase(std::remove_if(cell_fields_.begin(), cell_fields_.end(), whole(n_cells_)), cell_fields_.end());
+    bool grouped = false;
     for (const PlainMesh::Field &field : cell_fields_)
       if (field.n_components == 1 && is_group(field.name))
         {
           set_groups(field);
+          grouped = true;
           break;
         }
+    std::vector<std::size_t> rows = row_of_cell_;
+    rows.insert(rows.end(), row_of_face_.begin(), row_of_face_.end());
+    for (const PlainMesh::Field &field : cell_fields_)
+      if (!grouped && field.n_components == 1 && may_be_groups(field, rows))
+        mesh_.possible_groups.push_back(field.name);
     std::vector<PlainMesh::Element> named;
     for (const PlainMesh::Element &face : mesh_.faces)
       if (face.group != 0)

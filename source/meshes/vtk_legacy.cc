@@ -127,6 +127,8 @@ namespace myolines
 
       void read_attribute(const std::string_view word)
       {
+        if (word == "LOOKUP_TABLE" || word == "COLOR_SCALARS" || word == "TEXTURE_COORDINATES")
+          return pass_over(word);
         std::int64_t components = word == "SCALARS" ? 1 : word == "VECTORS" || word == "NORMALS" ? 3 : word == "TENSORS" ? 9 : 0;
         if (components == 0 || !of_any_)
           cursor_.refuse("\"" + std::string(word.substr(0, 40)) + "\" is not known", "a section of VTK's unstructured grids");
@@ -140,6 +142,17 @@ namespace myolines
           }
         grid_.add_field(of_cells_, name, static_cast<std::size_t>(components),
                         numbers(rows_, components, type, "numbers of \"" + name + "\""));
+      }
+
+      /// What only pictures need. Colours are bytes in binary files.
+      void pass_over(const std::string_view word)
+      {
+        cursor_.word(); // its name
+        const auto second = cursor_.integer("a number of rows or components");
+        if (word == "LOOKUP_TABLE")
+          numbers(second, 4, "unsigned_char", "colours");
+        else
+          numbers(rows_, second, word == "COLOR_SCALARS" ? "unsigned_char" : std::string(cursor_.word()), "numbers of a picture");
       }
 
       std::vector<double> numbers(const std::int64_t rows, const std::int64_t components, const std::string &type,
@@ -157,9 +170,18 @@ namespace myolines
         std::vector<double> values(n);
         cursor_.binary = binary_;
         for (double &x : values)
-          x = binary_ ? raw_number(type, bytes) : cursor_.number("one of the " + things);
+          x = binary_ ? raw_number(type, bytes) : text_number(things);
         cursor_.binary = false;
         return values;
+      }
+
+      /// Fields may have no value at a point.
+      double text_number(const std::string &things)
+      {
+        for (const std::string_view none : {"nan", "NaN", "-nan"})
+          if (cursor_.peek_word() == none)
+            return number_of(cursor_.word());
+        return cursor_.number("one of the " + things);
       }
 
       double raw_number(const std::string &type, const std::size_t bytes)

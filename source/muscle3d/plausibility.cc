@@ -77,6 +77,8 @@ namespace myolines
     std::vector<std::string> sentences;
     if (const std::string size = implausible_size(parameters.geometry); !size.empty())
       sentences.push_back(size);
+    if (parameters.geometry.mesh)
+      sentences.insert(sentences.end(), parameters.geometry.mesh->doubts.begin(), parameters.geometry.mesh->doubts.end());
     if (parameters.geometry.mesh && parameters.geometry.mesh->worst < 0.01)
       {
         std::ostringstream text;

@@ -95,7 +95,7 @@ namespace myolines::picture
           {
             std::vector<std::size_t> instants;
             for (const double t : options_.at)
-              instants.push_back(runs_[r].nearest(t));
+              instants.push_back(instant(r, t));
             if (options_.at.empty() && runs_.size() == 1 && runs_[r].size() > 1)
               instants.push_back(0);
             if (options_.at.empty())
@@ -133,6 +133,17 @@ namespace myolines::picture
       }
 
     private:
+      /// That of run @p r nearest to @p t. @throws InputError for times before its first or behind its last one.
+      std::size_t instant(const std::size_t r, const double t) const
+      {
+        const RunFields &run   = runs_[r];
+        const double     first = run.time(0), last = run.time(run.size() - 1), rounding = 1e-9 * (std::abs(first) + std::abs(last));
+        require(t >= first - rounding && t <= last + rounding, "--at",
+                "the run \"" + name_of(options_.folders[r]) + "\" has no fields at " + scene::format_number(t) + " s",
+                "a time from " + scene::format_number(first) + " s to " + scene::format_number(last) + " s");
+        return run.nearest(t);
+      }
+
       std::vector<std::vector<Vec>> lines_of(const std::size_t r) const
       {
         const Body body = runs_[r].read(0);

@@ -224,7 +224,7 @@ namespace myolines::picture
       {
         const auto values = values_of(*panel.body, style.field);
         if (!values)
-          throw InputError(InputProblem{"--field", "the run \"" + panel.title + "\" wrote no field \"" + style.field + "\"",
+          throw InputError(InputProblem{"--field", "there is no field \"" + style.field + "\" at " + panel.title,
                                         "one of " + join(colourable_fields(*panel.body)),
                                         "run it again with the field in output/fields/what"});
         for (const double value : *values)

@@ -20,10 +20,11 @@ namespace myolines::scene
     const Unit *find_unit(const std::string &name)
     {
       static const Unit units[] = {
-          {"s", 't', 1},       {"ms", 't', 1e-3},      {"us", 't', 1e-6},      {"\u00b5s", 't', 1e-6},
-          {"min", 't', 60},    {"m", 'l', 1},          {"cm", 'l', 1e-2},      {"mm", 'l', 1e-3},
-          {"um", 'l', 1e-6},   {"\u00b5m", 'l', 1e-6}, {"N", 'f', 1},          {"kN", 'f', 1e3},
-          {"mN", 'f', 1e-3},   {"-", '1', 1},          {"1", '1', 1},          {"%", '1', 1e-2},
+          {"s", 't', 1},       {"sec", 't', 1},        {"seconds", 't', 1},    {"ms", 't', 1e-3},
+          {"us", 't', 1e-6},   {"\u00b5s", 't', 1e-6}, {"min", 't', 60},       {"m", 'l', 1},
+          {"cm", 'l', 1e-2},   {"mm", 'l', 1e-3},      {"um", 'l', 1e-6},      {"\u00b5m", 'l', 1e-6},
+          {"N", 'f', 1},       {"kN", 'f', 1e3},       {"mN", 'f', 1e-3},      {"-", '1', 1},
+          {"1", '1', 1},       {"%", '1', 1e-2},       {"%MVC", '1', 1e-2},    {"% MVC", '1', 1e-2},
           {"Pa", 'p', 1},      {"kPa", 'p', 1e3},      {"MPa", 'p', 1e6},      {"V", 'v', 1},
           {"mV", 'v', 1e-3},   {"uV", 'v', 1e-6},      {"\u00b5V", 'v', 1e-6}, {"degree", 'a', 1},
           {"degrees", 'a', 1}, {"deg", 'a', 1},        {"\u00b0", 'a', 1},     {"rad", 'a', 180 / 3.14159265358979323846}};
@@ -64,6 +65,8 @@ namespace myolines::scene
       }
     return found;
   }
+
+  bool is_unit(const std::string &name) { return find_unit(name) != nullptr; }
 
   std::optional<double> unit_factor(const std::string &from, const std::string &to)
   {

@@ -22,12 +22,18 @@ namespace myolines::scene
       std::vector<std::string> cells;
     };
 
-    /// All complete rows of @p text, whose first line is number @p line of the file.
-    std::vector<Row> parse(const std::string &text, const char separator = ',', unsigned int line = 1)
+    struct Rows
     {
-      std::vector<Row> rows;
-      Row              row{line, {""}};
-      bool             quoted = false;
+      std::vector<Row> complete;
+      unsigned int     open_quote = 0; ///< the line of a quotation mark that no other one ends; 0: there is none
+    };
+
+    /// All complete rows of @p text, whose first line is number @p line of the file.
+    Rows parse(const std::string &text, const char separator = ',', unsigned int line = 1)
+    {
+      Rows rows;
+      Row  row{line, {""}};
+      bool quoted = false;
       for (std::size_t i = 0; i < text.size(); ++i)
         {
           const char c = text[i];
@@ -35,12 +41,15 @@ namespace myolines::scene
           if (quoted && c == '"' && i + 1 < text.size() && text[i + 1] == '"')
             row.cells.back() += text[++i];
           else if (c == '"')
-            quoted = !quoted;
+            {
+              quoted          = !quoted;
+              rows.open_quote = quoted ? line : 0;
+            }
           else if (!quoted && c == separator)
             row.cells.emplace_back();
           else if (!quoted && c == '\n')
             {
-              rows.push_back(std::move(row));
+              rows.complete.push_back(std::move(row));
               row = {line, {""}};
             }
           else if (quoted || c != '\r')
@@ -62,7 +71,7 @@ namespace myolines::scene
 
     CsvTable table_of(const std::filesystem::path &file, std::vector<Row> rows)
     {
-      CsvTable table{file, std::move(rows.front().cells), {}, {}};
+      CsvTable table{file, std::move(rows.front().cells), {}, {}, {}};
       for (std::size_t row = 1; row < rows.size(); ++row)
         {
           table.rows.push_back(std::move(rows[row].cells));
@@ -120,6 +129,40 @@ namespace myolines::scene
                                       "names in the first line that is no comment, such as \"Time [s]\"", ""});
     }
 
+    /// A line of units below the names, "s,mV" or "[s],[mV]", goes into the names, where it is nothing but units that are known and no name
+    /// has a unit of its own.
+    void take_units(CsvTable &table)
+    {
+      if (table.rows.empty())
+        return;
+      std::vector<std::string> units;
+      bool                     any = false;
+      for (std::size_t i = 0; i < table.header.size(); ++i)
+        {
+          const std::string &cell = table.rows[0][i];
+          const ColumnName   name = split_column_name(cell);
+          units.push_back(name.quantity.empty() ? name.unit : cell);
+          any = any || (units[i] != "-" && is_unit(units[i]));
+          if ((!units[i].empty() && !is_unit(units[i])) || parse_number(cell) || !split_column_name(table.header[i]).unit.empty())
+            return;
+        }
+      if (!any)
+        return;
+      for (std::size_t i = 0; i < units.size(); ++i)
+        if (!units[i].empty())
+          table.header[i] += " [" + units[i] + "]";
+      table.rows.erase(table.rows.begin());
+      table.lines.erase(table.lines.begin());
+    }
+
+    /// What may be wrong with a cell that is no number.
+    std::string hint_for_number(const std::string &cell)
+    {
+      if (cell.find_first_of("0123456789") == std::string::npos)
+        return "what is missing is left out as a whole line; a line of units may follow the names, if it knows no others than doc/data.md";
+      return "numbers have no units and no marks between thousands, and decimal points where commas separate fields";
+    }
+
     /// A file whose header announces another size has lost some of its table, or was edited by hand.
     void refuse_other_size(const CsvTable &table, const TableText &text)
     {
@@ -169,7 +212,7 @@ namespace myolines::scene
         const auto value = parse_number(rows[row][column]);
         if (!value)
           throw InputError(InputProblem{where(row), "\"" + rows[row][column] + "\" in column \"" + header[column] + "\"", "a finite number",
-                                        "what is missing is left out as a whole line"});
+                                        hint_for_number(rows[row][column])});
         all.push_back(*value);
       }
     return all;
@@ -180,7 +223,7 @@ namespace myolines::scene
   std::optional<CsvTable> read_csv(const std::filesystem::path &file)
   {
     const std::optional<std::string> text = text_of(file);
-    std::vector<Row>                 rows = parse(text.value_or(""));
+    std::vector<Row>                 rows = parse(text.value_or("")).complete;
     if (rows.empty())
       return std::nullopt;
     CsvTable table = table_of(file, std::move(rows));
@@ -192,20 +235,28 @@ namespace myolines::scene
 
   CsvTable read_csv_input(const std::filesystem::path &file)
   {
-    const TableText  text = find_table(read_input_text(file), file);
-    std::vector<Row> rows = tidied(parse(text.text, text.separator, text.line));
+    const TableText text   = find_table(read_input_text(file), file);
+    Rows            parsed = parse(text.text, text.separator, text.line);
+    if (parsed.open_quote != 0)
+      throw InputError(InputProblem{file.string() + ", line " + std::to_string(parsed.open_quote),
+                                    "a quotation mark begins there that none ends: all behind it would be lost",
+                                    "quotation marks in pairs, or none", ""});
+    std::vector<Row> rows = tidied(std::move(parsed.complete));
     if (rows.empty())
       throw InputError(InputProblem{file.string(), "there is no table in it", "values in columns, with names in the first line", ""});
-    CsvTable table = table_of(file, std::move(rows));
+    CsvTable table   = table_of(file, std::move(rows));
+    table.in_degrees = text.in_degrees;
     refuse_missing_names(table, text.line);
     for (std::size_t row = 0; row < table.rows.size(); ++row)
       if (const std::size_t n = table.rows[row].size(), n_names = table.header.size(); n != n_names)
         throw InputError(InputProblem{
             table.where(row), "has " + std::to_string(n) + " fields", std::to_string(n_names) + ", as many as there are names",
-            text.separator == ',' && n > n_names ? "decimal commas cannot be told from commas between fields: separate fields by "
-                                                   "semicolons or tabs, or write decimal points"
-                                                 : ""});
+            n_names == 1                           ? "lines in front of the names are left out where they begin with #"
+            : text.separator == ',' && n > n_names ? "decimal commas cannot be told from commas between fields: separate fields by "
+                                                     "semicolons or tabs, or write decimal points"
+                                                   : ""});
     refuse_other_size(table, text);
+    take_units(table);
     if (text.separator != ',')
       replace_decimal_commas(table);
     return table;

@@ -132,11 +132,12 @@ namespace myolines::scene
   {
     const std::string  expected = "<ParameterList name=\"" + root_name + "\">";
     Teuchos::XMLObject root;
-    if (!check_xml(xml, file, problems))
+    const auto         plain = plain_xml(xml, file, problems);
+    if (!plain)
       return {};
     try
       {
-        root = Teuchos::StringInputSource(xml).getObject();
+        root = Teuchos::StringInputSource(*plain).getObject();
       }
     catch (const std::exception &error)
       {

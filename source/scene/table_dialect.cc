@@ -68,25 +68,65 @@ namespace myolines::scene
       return text;
     }
 
-    /// What a line of @p header says after one of @p names: "nRows=12", or, in older files, "datarows 12".
-    std::optional<int> announced(const std::vector<std::string> &header, const std::vector<std::string> &names,
-                                 const std::filesystem::path &file)
+    /// The header of a file of OpenSim: lines "nRows=12" or, in older files, "datarows 12".
+    class Header
     {
-      for (std::size_t i = 0; i < header.size(); ++i)
-        {
-          const std::size_t end = header[i].find_first_of("= \t");
-          if (end == std::string::npos || std::find(names.begin(), names.end(), header[i].substr(0, end)) == names.end())
-            continue;
-          const std::size_t begin = header[i].find_first_not_of("= \t", end);
-          const std::string text  = begin == std::string::npos ? "" : trimmed(header[i].substr(begin));
-          const auto        count = parse_integer(text);
-          if (!count || *count < 0)
-            throw InputError(InputProblem{file.string() + ", line " + std::to_string(i + 1),
-                                          "\"" + text + "\" after \"" + header[i].substr(0, end) + "\"", "how many there are", ""});
-          return count;
-        }
-      return std::nullopt;
-    }
+    public:
+      Header(std::vector<std::string> lines, const std::filesystem::path &file)
+        : lines_(std::move(lines))
+        , file_(file)
+      {}
+
+      /// The number behind one of @p names.
+      std::optional<int> count(const std::vector<std::string> &names) const
+      {
+        const auto found = find(names);
+        const auto n     = found ? parse_integer(found->text) : std::nullopt;
+        if (found && (!n || *n < 0))
+          refuse(*found, "how many there are");
+        return n;
+      }
+
+      std::optional<bool> in_degrees() const
+      {
+        const auto found = find({"inDegrees"});
+        if (!found)
+          return std::nullopt;
+        if (found->text != "yes" && found->text != "no")
+          refuse(*found, "yes or no");
+        return found->text == "yes";
+      }
+
+    private:
+      struct Found
+      {
+        std::size_t line;
+        std::string name, text;
+      };
+
+      std::optional<Found> find(const std::vector<std::string> &names) const
+      {
+        for (std::size_t i = 0; i < lines_.size(); ++i)
+          {
+            const std::size_t end  = std::min(lines_[i].find_first_of("= \t\r"), lines_[i].size());
+            const std::string name = lines_[i].substr(0, end);
+            if (std::find(names.begin(), names.end(), name) == names.end() || end == lines_[i].size())
+              continue;
+            const std::size_t begin = lines_[i].find_first_not_of("= \t", end);
+            return Found{i + 1, name, begin == std::string::npos ? "" : trimmed(lines_[i].substr(begin))};
+          }
+        return std::nullopt;
+      }
+
+      [[noreturn]] void refuse(const Found &found, const std::string &expected) const
+      {
+        throw InputError(InputProblem{file_.string() + ", line " + std::to_string(found.line),
+                                      "\"" + found.text + "\" after \"" + found.name + "\"", expected, ""});
+      }
+
+      std::vector<std::string>     lines_;
+      const std::filesystem::path &file_;
+    };
 
     char separator_of(const std::string &names, const std::string &values, const std::string &where)
     {
@@ -134,15 +174,18 @@ namespace myolines::scene
         lines[i] = words_with_tabs(lines[i]);
     if (opensim)
       {
-        const std::vector<std::string> header(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(begin));
-        return {join_lines(lines, begin), number, '\t', announced(header, {"nRows", "datarows"}, file),
-                announced(header, {"nColumns", "datacolumns"}, file)};
+        const Header header({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(begin)}, file);
+        return {join_lines(lines, begin), number, '\t', header.count({"nRows", "datarows"}), header.count({"nColumns", "datacolumns"}),
+                header.in_degrees()};
       }
     std::size_t values = begin + 1;
     while (values < lines.size() && (trimmed(lines[values]).empty() || is_comment(lines[values])))
       ++values;
-    return {join_lines(lines, begin), number,
+    return {join_lines(lines, begin),
+            number,
             separator_of(lines[begin], values < lines.size() ? lines[values] : "", file.string() + ", line " + std::to_string(number)),
-            std::nullopt, std::nullopt};
+            {},
+            {},
+            {}};
   }
 } // namespace myolines::scene

@@ -14,7 +14,8 @@ namespace myolines::scene
     unsigned int line      = 1;   ///< of the names in the file
     char         separator = ','; ///< comma, semicolon or tab
 
-    std::optional<int> rows, columns; ///< that the header of a file of OpenSim announces, times among the columns
+    std::optional<int>  rows, columns; ///< that the header of a file of OpenSim announces, times among the columns
+    std::optional<bool> in_degrees;    ///< "inDegrees=yes" or "no" there
   };
 
   /// The table in @p text: without blank and comment lines (#, %) in front, and without the header of OpenSim's files, which ends with the

@@ -30,12 +30,13 @@ namespace myolines
     , stop_(stop)
   {}
 
-  /// Of problems that do not tell the size of their forces the tolerance is relative to where the solve began.
+  /// Of problems that do not tell the size of their forces, as of linear ones, the tolerance is relative to where the solve began.
   double Newton::tolerance(const Evaluation &evaluation) const
   {
-    constexpr double units    = 16; // of rounding, as the resolution of a stage
-    const bool       sized    = evaluation.forces > 0 || evaluation.rounding > 0;
-    const double     absolute = problem_.has_unit_of_residual() ? options_.absolute_tolerance.value_or(sized ? 0 : 1e-10) : 0;
+    constexpr double units    = 16;                              // of rounding, as the resolution of a stage
+    const bool       unit     = problem_.has_unit_of_residual(); // or a problem without forces of its own
+    const bool       sized    = unit && (evaluation.forces > 0 || evaluation.rounding > 0);
+    const double     absolute = unit ? options_.absolute_tolerance.value_or(sized ? 0 : 1e-10) : 0;
     return std::max(
         {options_.relative_tolerance * (sized ? evaluation.forces : report_.initial_residual), absolute, units * evaluation.rounding});
   }

@@ -129,7 +129,7 @@ namespace myolines::study
     void require_run(const std::filesystem::path &folder, const std::string &file)
     {
       if (!std::filesystem::is_directory(folder))
-        throw InputError(InputProblem{folder.string(),
+        throw InputError(InputProblem{folder.empty() ? "\"\"" : folder.string(),
                                       std::filesystem::exists(folder) ? "it is a file, not a folder" : "there is no such folder",
                                       "the output folder of a run or of a study", ""});
       if (series_in(folder, file).empty())

@@ -145,16 +145,17 @@ namespace myolines
     if (start < begin() - rounding || end > this->end() + rounding)
       throw InputError(InputProblem{where_, "the samples in " + file_ + " are known " + interval_text(begin(), this->end()),
                                     "samples " + interval_text(start, end) + ", as \"time/start\" and \"time/end\" say",
-                                    "choose a start and an end inside the samples"});
+                                    "choose a start and an end inside the samples, or move their times by \"shift\""});
   }
 
   std::string FileDrive::note_of_times(const double start, const double end) const
   {
     constexpr std::size_t few = 10, many = 20;
-    const std::size_t     n = n_samples(start, end);
-    if (n >= few || n_samples() < many * (n + 1))
+    const std::size_t     n = n_samples(start, end), all = n_samples();
+    const bool            hardly_any = n <= 1 && all >= few; // the run is shorter than the time between two of them
+    if (!hardly_any && (n >= few || all < many * (n + 1)))
       return "";
-    return "only " + std::to_string(n) + " of the " + std::to_string(n_samples()) + " samples in " + file_ +
+    return "only " + std::to_string(n) + " of the " + std::to_string(all) + " samples in " + file_ +
            " are within the run: they are known " + interval_text(begin(), this->end()) +
            ". If their times are in milliseconds, write that into the name of their column, such as \"time [ms]\"";
   }

@@ -17,7 +17,8 @@ namespace myolines
         if (!scene::matching_columns(usual, table.header).empty())
           return table.required_column(usual);
       throw InputError(InputProblem{table.file.string(), "there is no column \"time\" or \"t\", such as \"Time [s]\"",
-                                    "one of " + join(table.header), "\"time column\" names it"});
+                                    "one of " + join(table.header),
+                                    table.header.size() > 1 ? "\"time column\" names it" : "commas, semicolons or tabs separate columns"});
     }
 
     std::size_t value_column(const scene::CsvTable &table, const std::string &name, const std::size_t time)
@@ -39,8 +40,9 @@ namespace myolines
         throw InputError(InputProblem{table.file.string(),
                                       "the column \"" + table.header[i] + "\" has the unit \"" + given + "\" in the scene",
                                       "the same, or none in the scene", ""});
-      const std::string           from   = own.empty() ? given : own;
-      const std::optional<double> factor = unit.empty() || from.empty() ? std::optional<double>(1) : scene::unit_factor(from, unit);
+      const bool                  radians = unit == "degree" && table.in_degrees == false; // the header of a file of OpenSim says so
+      const std::string           from    = !own.empty() ? own : given.empty() && radians ? "rad" : given;
+      const std::optional<double> factor  = unit.empty() || from.empty() ? std::optional<double>(1) : scene::unit_factor(from, unit);
       if (!factor)
         throw InputError(InputProblem{table.file.string(), "the column \"" + table.header[i] + "\" is in \"" + from + "\"",
                                       unit == "-" ? "numbers without a unit, \"-\", or \"%\"" : "a unit that can be converted to " + unit,

@@ -8,11 +8,12 @@ namespace myolines
   {
   public:
     /// @p roughly: one linear solve is enough.
-    LinearProblem(StageWork &work, const Weights &weights, const Vector &r, const Vector &d, const bool roughly)
+    LinearProblem(StageWork &work, const Weights &weights, const Vector &r, const Vector &d, const bool roughly, const double rounding)
       : work_(work)
       , weights_(stage_weights(weights.u, weights.v, weights.a))
       , r_(r)
       , roughly_(roughly)
+      , rounding_(rounding)
     {
       for (const unsigned int row : work_.constrained_rows)
         constrained_.push_back(d.local_element(row));
@@ -32,7 +33,9 @@ namespace myolines
     {
       work_.linearisation->apply(weights_, d, f);
       f += r_;
-      return {};
+      Evaluation evaluation;
+      evaluation.rounding = rounding_;
+      return evaluation;
     }
 
     void                  linearise(const Vector &) override {}
@@ -48,6 +51,7 @@ namespace myolines
     WeightsByOrder      weights_;
     const Vector       &r_;
     const bool          roughly_;
+    const double        rounding_;
     std::vector<double> constrained_;
   };
 
@@ -106,9 +110,9 @@ namespace myolines
     return report;
   }
 
-  NonlinearReport StageSolver::solve_linear(const Weights &weights, const Vector &r, Vector &d, const bool roughly)
+  NonlinearReport StageSolver::solve_linear(const Weights &weights, const Vector &r, Vector &d, const bool roughly, const double rounding)
   {
-    LinearProblem problem(*work_, weights, r, d, roughly);
+    LinearProblem problem(*work_, weights, r, d, roughly, rounding);
     return solver_.solve(problem, d);
   }
 
@@ -134,7 +138,7 @@ namespace myolines
     Vector &before = work_->end.a;
     before         = error.u;
     error.u        = 0;
-    LinearProblem         problem(*work_, w, r, error.u, true);
+    LinearProblem         problem(*work_, w, r, error.u, true, 0);
     const NonlinearReport report = solver_.solve(problem, error.u);
     combine(error.v, {{w.a / w.v, &error.u}, {-w.a / w.v, &before}});
     return report;

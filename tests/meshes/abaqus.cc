@@ -119,6 +119,62 @@ namespace myolines
       EXPECT_NE(test::refusal_of(assembled("0, 0, zero\n")).find("\"zero\" stands where a number of a motion"), std::string::npos);
     }
 
+    TEST(AbaqusFiles, NamesAreEqualInAnyCaseAndMayNameTheirInstance)
+    {
+      const std::string head = "*Part, name=P\n" + nodes() + cells() +
+                               "*End Part\n*Assembly, name=A\n*Instance, name=Belly-1, part=P\n*End Instance\n",
+                        sides  = "*Elset, elset=first, instance=Belly-1\n1,\n*Surface, type=ELEMENT, name=c\nBelly-1.First, S6\n"
+                                 "*Surface, type=ELEMENT, name=d\nBELLY-1.2, S4\n",
+                        points = "*Nset, nset=c\nBelly-1.5, BELLY-1.20, Belly-1.35, Belly-1.50\n*Nset, nset=D, instance=Belly-1\n15, 30\n"
+                                 "*Nset, nset=d, instance=Belly-1\n45, 60\n";
+      for (const std::string &text : {head + sides + "*End Assembly\n", head + points + "*End Assembly\n"})
+        {
+          const PlainMesh mesh = test::mesh_of(text);
+          ASSERT_EQ(mesh.faces.size(), 2u) << text;
+          std::map<std::string, double> places;
+          for (const auto &face : mesh.faces)
+            places[mesh.face_groups.at(face.group)] = mesh.points[face.corner[0]][0];
+          EXPECT_EQ(places["c"], 0) << text;
+          EXPECT_EQ(places.count("d") + places.count("D"), 1u) << text;
+          EXPECT_EQ(places["d"] + places["D"], 2.5) << text;
+        }
+      EXPECT_NE(test::refusal_of("*Part, name=P\n" + nodes() + "*End Part\n*Part, name=Q\n" + nodes()).find("nodes of several parts"),
+                std::string::npos);
+    }
+
+    TEST(AbaqusFiles, SurfacesWithoutSidesAreTheFreeOnes)
+    {
+      const PlainMesh                            mesh = test::mesh_of(nodes() + cells() + "*Surface, name=c\na,\n*Surface, name=d\n2\n");
+      std::map<std::string, std::vector<double>> ends; // the least and the greatest x of each face
+      for (const auto &face : mesh.faces)
+        for (int v = 0; v < 4; ++v)
+          ends[mesh.face_groups.at(face.group)].push_back(mesh.points[face.corner[v]][0]);
+      EXPECT_EQ(ends["c"].size(), 20u); // five sides of each, the one between them left out
+      EXPECT_EQ(ends["d"].size(), 20u);
+      EXPECT_EQ(*std::max_element(ends["c"].begin(), ends["c"].end()), 1.25);
+      EXPECT_EQ(*std::min_element(ends["d"].begin(), ends["d"].end()), 1.25);
+    }
+
+    TEST(AbaqusFiles, MassesSpringsAndLinesArePassedOver)
+    {
+      const PlainMesh mesh = test::mesh_of(nodes() + cells() +
+                                           "*ELEMENT, TYPE=MASS, ELSET=m\n98, 5\n*MASS, ELSET=m\n0.1\n*ELEMENT, TYPE=B31\n"
+                                           "99, 5, 10\n*ELEMENT, TYPE=SPRINGA, ELSET=s\n100, 5, 10\n*ELEMENT, TYPE=CONN3D2\n101, , 10\n"
+                                           "*ELEMENT, TYPE=S4, ELSET=c\n7" +
+                                           listed(test::TwoCubes::face[0], 4));
+      EXPECT_EQ(mesh.cells.size(), 2u);
+      EXPECT_EQ(mesh.faces.size(), 1u);
+    }
+
+    TEST(AbaqusFiles, ExponentsMayBeThoseOfFortran)
+    {
+      const PlainMesh mesh = test::mesh_of("*NODE\n1,0,0,0\n2,1.5D-02,0,0\n3,0,2.d+1,0\n4,0,0,1e-2\n*ELEMENT,TYPE=C3D4\n1,1,2,3,4\n");
+      EXPECT_EQ(mesh.points[1][0], 0.015);
+      EXPECT_EQ(mesh.points[2][1], 20);
+      for (const char *word : {"1.5D", "1.5D+", "D-02", "1.5DD2", "1.5D2D2"})
+        EXPECT_NE(test::refusal_of("*NODE\n1,0,0," + std::string(word) + "\n").find("a coordinate"), std::string::npos) << word;
+    }
+
     TEST(AbaqusFiles, NoDamageDoesAnyHarm)
     {
       for (const std::string &text : all_ways())
@@ -141,6 +197,7 @@ namespace myolines
       told(nodes() + "*ELEMENT, TYPE=C3D8\n1, 5, 10\n", "the last element has only 2 nodes");
       told(nodes() + "*ELEMENT, TYPE=C3D77\n", "elements of type \"C3D77\" are not known");
       told(nodes() + "*ELEMENT, TYPE=C3D4\n1, 5, 10, 15, 99\n", "has the point 99");
+      told(nodes() + cells() + "*SURFACE, NAME=c, TYPE=ELEMENT\nb, SPOS\n", "\"SPOS\" is no side of the element 2");
       told(nodes() + cells() + "*SURFACE, NAME=c, TYPE=ELEMENT\na, S7\n", "\"S7\" is no side of the element 1");
       told("*INCLUDE, INPUT=other.inp\n", "the keyword *INCLUDE is not read");
       told(nodes() + cells() + "*ELCOPY, ELEMENT SHIFT=9, OLD SET=a, SHIFT NODES=9\n", "the keyword *ELCOPY is not read");

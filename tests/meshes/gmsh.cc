@@ -88,14 +88,15 @@ namespace myolines
     {
       const std::string text = test::gmsh_2(), script = "SystemCall \"touch executed\";\n//+\nShow \"*\";\n";
       const std::size_t nodes = text.find("$Nodes");
-      for (const std::string &around :
-           {text + script, text.substr(0, nodes) + script + text.substr(nodes), text + "$View\n" + script + "$EndView\n"})
+      for (const std::string &around : {text + script, "$Comments\n" + script + "$EndComments\n" + text,
+                                        text.substr(0, nodes) + script + text.substr(nodes), text + "$View\n" + script + "$EndView\n"})
         EXPECT_EQ(test::difference_from_two_cubes(test::mesh_of(around)), "");
       std::string windows;
       for (const char c : text)
         windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
       EXPECT_EQ(test::difference_from_two_cubes(test::mesh_of(windows)), "");
-      for (const std::string &no_mesh : {script, script + text, "$MeshFormats\n" + script, std::string("ELEMENT\n"), std::string("{}")})
+      for (const std::string &no_mesh :
+           {script, script + text, "$Comment\n" + script + text, "$MeshFormats\n" + script, std::string("ELEMENT\n"), std::string("{}")})
         EXPECT_NE(test::refusal_of(no_mesh).find("this is no mesh"), std::string::npos);
     }
 

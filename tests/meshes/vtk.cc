@@ -8,6 +8,8 @@
 
 #include <zlib.h>
 
+#include <cmath>
+
 namespace myolines
 {
   namespace
@@ -246,6 +248,46 @@ namespace myolines
             EXPECT_EQ(mesh.cell_fields[0].values, (std::vector<double>{3, 4, 5, 6, 7, 8}));
             EXPECT_EQ(mesh.point_fields.at(0).values.at(11), 5.5);
           }
+    }
+
+    TEST(VtkFiles, ArraysThatMayBeGroupsAreNoted)
+    {
+      const auto noted = [](const std::string &array, const std::string &values) {
+        return test::mesh_of(
+                   "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 6 float\n0 0 0 1 0 0 0 1 0 0 0 1 1 1 1 2 1 1\n"
+                   "CELLS 3 15\n4 0 1 2 3\n4 1 2 3 4\n4 1 2 4 5\nCELL_TYPES 3\n10 10 10\nCELL_DATA 3\nSCALARS " +
+                   array + " float 1\nLOOKUP_TABLE default\n" + values + "\n")
+            .possible_groups;
+      };
+      EXPECT_EQ(noted("region", "1 2 2"), std::vector<std::string>{"region"});
+      EXPECT_TRUE(noted("Tissue", "1 2 2").empty()) << "it is one";
+      for (const char *values : {"1 1 1", "1 2 3", "0.5 1 1", "-1 1 1", "nan 1 1"})
+        EXPECT_TRUE(noted("region", values).empty()) << values;
+    }
+
+    TEST(VtkFiles, WhatOnlyPicturesNeedIsPassedOver)
+    {
+      const auto repeated = [](const std::string &text, const int n) {
+        std::string all;
+        for (int i = 0; i < n; ++i)
+          all += text;
+        return all;
+      };
+      const std::string behind = "SCALARS last float\nLOOKUP_TABLE mine\n";
+      const std::string text   = legacy(false, false) + "COLOR_SCALARS c 3\n" + repeated("0.5 0 1\n", 12) +
+                               "LOOKUP_TABLE mine 2\n0 0 0 1 1 1 1 1\n" + "TEXTURE_COORDINATES t 2 float\n" + repeated("0 1 ", 12) + "\n" +
+                               behind + repeated("nan 2 ", 6) + "\n";
+      const std::string bytes = legacy(true, false) + "COLOR_SCALARS c 3\n" + repeated("\n  ", 12) + "\nLOOKUP_TABLE mine 2\n" +
+                                repeated("$ \n1", 2) + "\nTEXTURE_COORDINATES t 2 float\n" + repeated(std::string(8, '\0'), 12) + "\n" +
+                                behind + repeated(std::string("\x7f\xc0\0\0@\0\0\0", 8), 6) + "\n";
+      for (const std::string &file : {text, bytes})
+        {
+          const PlainMesh mesh = test::mesh_of(file);
+          EXPECT_EQ(test::difference_from_two_cubes(mesh), "");
+          ASSERT_EQ(mesh.point_fields.size(), 2u);
+          EXPECT_TRUE(std::isnan(mesh.point_fields[1].values[0]));
+          EXPECT_EQ(mesh.point_fields[1].values[11], 2);
+        }
     }
 
     TEST(VtkFiles, NoDamageDoesAnyHarm)

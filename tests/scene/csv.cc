@@ -109,7 +109,53 @@ namespace
       EXPECT_NE(complaint(rows).find(" rows, there are 3"), std::string::npos) << rows << complaint(rows);
     for (const char *columns : {"nRows=3\nnColumns=1\n", "datacolumns 3\n"})
       EXPECT_NE(complaint(columns).find(" columns, there are 2"), std::string::npos) << columns << complaint(columns);
+    EXPECT_NE(complaint("inDegrees=perhaps\n").find("line 1: \"perhaps\" after \"inDegrees\""), std::string::npos);
     EXPECT_NE(complaint("nRows=many\n").find("line 1: \"many\" after \"nRows\""), std::string::npos);
+  }
+
+  TEST_F(CsvInput, ALineOfUnitsBelongsToTheNames)
+  {
+    using Names = std::vector<std::string>;
+    for (const char *text : {"t;x;note\nms;%;\n5;50;1\n", "t,x,note\n[ms],(%),\n5,50,1\n"})
+      {
+        const CsvTable table = read(text);
+        EXPECT_EQ(table.header, (Names{"t [ms]", "x [%]", "note"})) << text;
+        EXPECT_EQ(table.numbers(0), std::vector<double>{5}) << text;
+        EXPECT_NE(table.where(0).find("line 3"), std::string::npos) << text;
+      }
+    for (const char *text : {"t,x\n-,-\n", "t,x\ns,furlong\n", "t [s],x\ns,m\n", "t,x\ns,1\n"})
+      EXPECT_EQ(read(text).rows.size(), 1u) << text;
+  }
+
+  TEST_F(CsvInput, AQuotationMarkThatNoneEndsLosesNothing)
+  {
+    for (const char *text : {"t,x\n0,1\n1,\"2\n2,3\n", "t,\"x\n0,1\n1,2\n", "t,x\n0,1\n\"1\",\"\"2\"\n"})
+      EXPECT_THROW(read(text), InputError) << text;
+    try
+      {
+        read("t,x\n0,1\n1,\"2\n2,3\n");
+      }
+    catch (const InputError &error)
+      {
+        EXPECT_NE(std::string(error.what()).find("line 3: a quotation mark begins there"), std::string::npos) << error.what();
+      }
+  }
+
+  TEST_F(CsvInput, MarksBetweenThousandsAreNoNumbers)
+  {
+    for (const char *text : {"t,x\n0,\"1,234.5\"\n", "t;x\n0;1.234,5\n", "t,x\n0,1'234\n", "t,x\n0,12 %\n"})
+      {
+        const CsvTable table = read(text);
+        try
+          {
+            table.numbers(1);
+            ADD_FAILURE() << text;
+          }
+        catch (const InputError &error)
+          {
+            EXPECT_NE(std::string(error.what()).find("marks between thousands"), std::string::npos) << error.what();
+          }
+      }
   }
 
   TEST_F(CsvInput, WhatMayBeReadInSeveralWaysIsRefused)
@@ -161,6 +207,7 @@ namespace
     EXPECT_DOUBLE_EQ(*unit_factor("mm", "m"), 1e-3);
     EXPECT_DOUBLE_EQ(*unit_factor("kN", "N"), 1e3);
     EXPECT_DOUBLE_EQ(*unit_factor("%", "-"), 1e-2);
+    EXPECT_DOUBLE_EQ(*unit_factor("%MVC", "-"), 1e-2);
     EXPECT_DOUBLE_EQ(*unit_factor("s", "ms"), 1e3);
     EXPECT_EQ(unit_factor("a.u.", "a.u."), 1.);
     EXPECT_FALSE(unit_factor("N", "m"));

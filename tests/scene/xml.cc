@@ -35,11 +35,41 @@ TEST(Xml, BareSignsInFormulasAreToldWithHowToWriteThem)
     EXPECT_EQ(told(with_formula(good)), "") << good;
   EXPECT_NE(told(with_formula("x < 1")).find("test.xml, line 2: there is a bare < in a value"), std::string::npos);
   EXPECT_NE(told(with_formula("x < 1")).find("write &lt;"), std::string::npos);
-  for (const char *bad : {"x > 0 && y > 0", "a & b", "&", "&lt x", "&#; x"})
+  for (const char *bad : {"x > 0 && y > 0", "a & b", "&", "&lt x"})
     {
+      EXPECT_EQ(told(with_formula(bad)).find("bare <"), std::string::npos) << "only the first: " << told(with_formula(bad));
       EXPECT_NE(told(with_formula(bad)).find("there is a bare & in a value"), std::string::npos) << bad;
       EXPECT_NE(told(with_formula(bad)).find("write &amp;"), std::string::npos) << bad;
     }
+}
+
+TEST(Xml, ReferencesToCharactersAreThoseCharacters)
+{
+  const Schema schema = Schema("Root.").text("formula", "", "Formula.");
+  const auto   read   = [&](const std::string &text) { return parse_scene(with_formula(text), schema, "test.xml").text("formula"); };
+  EXPECT_EQ(read("&#65;&#x42;&#60;"), "AB<");
+  EXPECT_EQ(read("&#228;&#xE4; &#8364; &#x1F600;"), "\u00e4\u00e4 \u20ac \U0001F600");
+  for (const char *bad :
+       {"&#; x", "&#xZZ;", "&#0;", "&#1;", "&#xD800;", "&#x110000;", "&#99999999999999999999;", "&nbsp;", "&xxe;", "&a#;"})
+    EXPECT_NE(told(with_formula(bad)).find("test.xml, line 2: \"" + std::string(bad).substr(0, 2)), std::string::npos)
+        << bad << told(with_formula(bad));
+}
+
+TEST(Xml, WhatIsNoElementIsLeftOut)
+{
+  const std::string list = "<ParameterList name=\"scene\">\n", end = "</ParameterList>";
+  for (const std::string &text :
+       {"<!-- a -- b > \" ' -->\n" + list + "<!-- <Parameter name=\"x\" -->\n" + end + "<!-- -->",
+        "<?xml version='1.0' encoding='UTF-8'?><?xml-stylesheet href=\"a.xsl\"?>\n" + list + "<?keep > me?>" + end,
+        "<!DOCTYPE scene SYSTEM \"scene.dtd\">" + list + end,
+        "<!DOCTYPE scene [ <!ENTITY a \"b\"> <!ELEMENT ParameterList ANY> ]>\n" + list + end})
+    EXPECT_EQ(told(text), "") << text;
+  EXPECT_NE(told("<!DOCTYPE s [ <!ENTITY xxe SYSTEM \"file:///etc/passwd\"> ]>" + with_formula("&xxe;")).find("\"&xxe;\" stands for no"),
+            std::string::npos);
+  EXPECT_NE(told(list + "\n<!-- a" + end).find("line 3: a comment begins there that has no end"), std::string::npos);
+  EXPECT_NE(told(list + "<![CDATA[ a ]]>" + end).find("line 2: there is a CDATA section"), std::string::npos);
+  EXPECT_NE(told(with_formula("a\fb")).find("line 2: there is a control character, number 12"), std::string::npos);
+  EXPECT_NE(told("<!DOCTYPE scene [").find("line 1: a declaration begins there that has no end"), std::string::npos);
 }
 
 TEST(Xml, SignsElsewhereAreNoMatter)

@@ -73,6 +73,25 @@ namespace
     EXPECT_NE(refusal_of(number_).find("fewer than two"), std::string::npos);
   }
 
+  TEST_F(FileDriveTest, AnglesAreInDegreesUnlessTheFileSaysRadians)
+  {
+    const Driven angle{"rotation about z", "degree"}, length{"translation z", "m"};
+    const auto   write_motion = [this](const std::string &said, const std::string &name) {
+      write("gait\n" + said + "endheader\ntime\t" + name + "\n0\t0\n1\t0.5\n");
+    };
+    write_motion("inDegrees=no\n", "hip");
+    EXPECT_NEAR(make(angle)->value(1), 90 / M_PI, 1e-13);
+    EXPECT_EQ(make(angle, {{"unit", "deg"}})->value(1), 0.5);
+    EXPECT_EQ(make(length)->value(1), 0.5);
+    write_motion("inDegrees=no\n", "hip [deg]");
+    EXPECT_EQ(make(angle)->value(1), 0.5);
+    for (const char *said : {"inDegrees=yes\n", ""})
+      {
+        write_motion(said, "hip");
+        EXPECT_EQ(make(angle)->value(1), 0.5) << said;
+      }
+  }
+
   TEST_F(FileDriveTest, KeepsBounds)
   {
     write("t,u\n0,0\n0.1,-1e-9\n0.2,1.0000001\n0.3,1\n0.4,0\n");
@@ -153,15 +172,18 @@ namespace
   /// Half a second at 100 Hz whose times are milliseconds, and nobody says so.
   TEST_F(FileDriveTest, TellsWhereTheRunSeesFewSamples)
   {
-    const auto note = [this](const std::string &time, const double end) {
+    const auto note = [this](const std::string &time, const double end, const int last = 50) {
       std::string text = time + ",u\n";
-      for (int i = 0; i <= 50; ++i)
+      for (int i = 0; i <= last; ++i)
         text += std::to_string(10 * i) + ",0.2\n";
       write(text);
       const auto drive = make(excitation_);
       return file_of(drive.get())->note_of_times(0, end);
     };
     EXPECT_NE(note("time", 0.5).find("only 1 of the 51 samples"), std::string::npos) << note("time", 0.5);
+    EXPECT_NE(note("time", 0.5, 20).find("only 1 of the 21 samples"), std::string::npos) << "the run is between two of them";
+    EXPECT_EQ(note("time", 10, 20), "");
+    EXPECT_EQ(note("time", 0.5, 5), "") << "a few points, far apart";
     EXPECT_EQ(note("time [ms]", 0.5), "");
     EXPECT_EQ(note("time", 100), "");
   }

@@ -47,6 +47,7 @@ namespace myolines
     double                              volume = 0;    ///< [m^3]
     double                   worst = 1; ///< smallest scaled Jacobian of a cell: the determinant at a corner over the lengths of its edges
     std::vector<std::string> report;    ///< lines for `check`
+    std::vector<std::string> doubts;    ///< what was perhaps meant otherwise: warnings of `check` and `run`
 
     /// The name of all quadrilaterals of the boundary that no other face has.
     static constexpr const char *rest = "rest";

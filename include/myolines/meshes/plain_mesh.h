@@ -43,16 +43,17 @@ namespace myolines
       std::vector<double> values;       ///< [cells or points][components]
     };
 
-    std::vector<Position>                   points;           ///< as written, without a unit
-    std::vector<Element>                    cells;            ///< of any shape
-    std::vector<Element>                    faces;            ///< that the file names or numbers; one in several groups is there for each
-    std::map<std::size_t, std::vector<int>> further_groups;   ///< of cells in several groups, by place in the list
-    std::map<int, std::string>              cell_groups;      ///< names of groups of cells by number, where they have one
-    std::map<int, std::string>              face_groups;      ///< names of groups of faces, likewise
-    std::vector<Field>                      cell_fields;      ///< numbers at cells
-    std::vector<Field>                      point_fields;     ///< numbers at points
-    std::size_t                             straightened = 0; ///< cells of higher order, of which the corners are kept
-    std::string                             format;           ///< "Gmsh 4.1, binary"
+    std::vector<Position>                   points;         ///< as written, without a unit
+    std::vector<Element>                    cells;          ///< of any shape
+    std::vector<Element>                    faces;          ///< that the file names or numbers; one in several groups is there for each
+    std::map<std::size_t, std::vector<int>> further_groups; ///< of cells in several groups, by place in the list
+    std::map<int, std::string>              cell_groups;    ///< names of groups of cells by number, where they have one
+    std::map<int, std::string>              face_groups;    ///< names of groups of faces, likewise
+    std::vector<Field>                      cell_fields;    ///< numbers at cells
+    std::vector<Field>                      point_fields;   ///< numbers at points
+    std::vector<std::string> possible_groups;  ///< arrays of cells that could be numbers of groups, where none is known as such
+    std::size_t              straightened = 0; ///< cells of higher order, of which the corners are kept
+    std::string              format;           ///< "Gmsh 4.1, binary"
   };
 
   /// How many corners, of faces and cells.

@@ -11,10 +11,11 @@ namespace myolines::scene
   /// Comma-separated values (RFC 4180) under a line of names.
   struct CsvTable
   {
-    std::filesystem::path                 file;   ///< where the table came from
-    std::vector<std::string>              header; ///< names of the columns
-    std::vector<std::vector<std::string>> rows;   ///< each as long as the header
-    std::vector<unsigned int>             lines;  ///< of the file that rows begin in, from 1
+    std::filesystem::path                 file;       ///< where the table came from
+    std::vector<std::string>              header;     ///< names of the columns
+    std::vector<std::vector<std::string>> rows;       ///< each as long as the header
+    std::vector<unsigned int>             lines;      ///< of the file that rows begin in, from 1
+    std::optional<bool>                   in_degrees; ///< what the header of a file of OpenSim says of angles
 
     /// Index of the column with that name; nothing if there is none.
     std::optional<std::size_t> column(const std::string &name) const;
@@ -33,7 +34,7 @@ namespace myolines::scene
 
   /// A file that a person gives: fields are separated by commas, semicolons or tabs, decimals by points or, where commas do not separate
   /// and no number has a point, by commas; lines that begin with # or % in front, "sep=;" of spreadsheets,
-  /// OpenSim's headers, white space around fields, empty lines
-  /// and separators at the ends of lines are left out. @throws InputError for what is no table.
+  /// OpenSim's headers, white space around fields, empty lines and separators at the ends of lines are left out. A line of units below the
+  /// names becomes part of them: "time" above "ms" is "time [ms]". @throws InputError for what is no table.
   CsvTable read_csv_input(const std::filesystem::path &file);
 } // namespace myolines::scene

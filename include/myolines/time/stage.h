@@ -72,8 +72,9 @@ namespace myolines
 
     /// J d + r = 0 with J = w.u K + w.v C + w.a M of the last linearise(); linearly implicit methods need no more. On entry
     /// @p d holds values for the constrained unknowns (what they depend on is added) and 0 for the free ones. @p roughly: one linear
-    /// solve to `forcing maximum`, for iterations that correct it.
-    NonlinearReport solve_linear(const Weights &weights, const Vector &r, Vector &d, bool roughly = false);
+    /// solve to `forcing maximum`, for iterations that correct it. @p rounding: Evaluation::rounding of @p r, below which nothing is asked
+    /// for.
+    NonlinearReport solve_linear(const Weights &weights, const Vector &r, Vector &d, bool roughly = false, double rounding = 0);
 
     /// error <- (1 - g dy'/dy)^-1 error for y = (u, v), roughly solved, with the last linearisation and the weights (1, 1/g, 1/g^2) of
     /// the last stage (for weights at an average: their like). Components that the step cannot resolve, which say nothing of the
