@@ -54,6 +54,7 @@ namespace myolines
         ->required()
         ->type_name("NUMBER[%]");
     command.add_flag("--keep-mesh", options.keep_mesh, "The mesh of the scene stays, and the accuracy is that of the steps alone");
+    command.add_flag("!--no-trial", options.trial, "What runs on the coarsest mesh predict is not tried on the mesh that is advised");
     command.add_option("--budget", options.budget, "Seconds after which the search is left; called again it goes on")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();

@@ -49,7 +49,7 @@ namespace myolines::study
     TimeReference    reference(pilot, choices, mesh_of_the_pilot(choices.mesh));
     const MeshChoice mesh = choose_mesh(pilot, choices, reference, options);
     Search           search(pilot, choices, reference, mesh);
-    const Advice     advice = search.advice();
+    const Advice     advice = search.advice(options.trial);
 
     const AdviceReport report{pilot, choices, reference, mesh, search, advice};
     const std::string  text = advice_text(report);

@@ -19,6 +19,7 @@ namespace myolines::study
     struct MeshRuns
     {
       const Ladder                 &ladder;
+      std::size_t                   rung_of_reference;
       std::vector<const PilotRun *> runs; ///< that are done
 
       double start_up(const std::size_t rung) const { return runs[std::min(rung, runs.size() - 1)]->start_up(); }
@@ -59,7 +60,7 @@ namespace myolines::study
       std::vector<PilotCase> cases;
       for (std::size_t i = 0; i < ladder.rungs.size() && (i <= at_least || ladder.rungs[i].cost <= at_most); ++i)
         cases.push_back({which.candidate, which.rung, &ladder.rungs[i]});
-      MeshRuns found{ladder, {}};
+      MeshRuns found{ladder, which.rung, {}};
       for (const PilotRun *run : pilot.run(cases))
         if (run->done())
           found.runs.push_back(run);
@@ -74,7 +75,7 @@ namespace myolines::study
     MeshChoice chosen(const MeshRuns &meshes, const std::size_t rung, const Values &errors)
     {
       const Ladder &ladder = meshes.ladder;
-      return {&ladder.rungs.front(), &ladder.rungs[rung], errors, meshes.start_up(rung), meshes.growth(rung)};
+      return {&ladder.rungs.front(), &ladder.rungs[rung], errors, meshes.rung_of_reference, meshes.start_up(rung), meshes.growth(rung)};
     }
 
     std::string too_coarse(const Ladder &ladder, const std::string &label, const double ratio)
@@ -92,7 +93,7 @@ namespace myolines::study
     const Ladder     &ladder     = choices.mesh;
     const std::size_t quantities = pilot.quantities().size();
     if (ladder.rungs.size() < 2)
-      return {nullptr, nullptr, Values(quantities, 0), reference.run().start_up(), 1};
+      return {nullptr, nullptr, Values(quantities, 0), reference.rung(), reference.run().start_up(), 1};
     const PilotCase which{&choices.candidates[choices.reference], reference.rung_within(part_of_steps), nullptr};
     if (options.keep_mesh)
       {

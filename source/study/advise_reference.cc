@@ -13,13 +13,8 @@ namespace myolines::study
   {
     constexpr double near_itself = 0.1, near_another = 0.25; // of the accuracy
 
-    Values distance(const Values &a, const Values &b)
-    {
-      Values differences;
-      for (std::size_t q = 0; q < a.size(); ++q)
-        differences.push_back(std::abs(a[q] - b[q]));
-      return differences;
-    }
+    /// To steps so many times shorter, by powers of two: waves that all long steps damp make no difference to twice as long ones.
+    constexpr std::size_t leap = 3;
 
     std::string words_of_values(const PilotRun &run)
     {
@@ -30,6 +25,22 @@ namespace myolines::study
     }
   } // namespace
 
+  Values distance(const Values &a, const Values &b)
+  {
+    Values differences;
+    for (std::size_t q = 0; q < a.size(); ++q)
+      differences.push_back(std::abs(a[q] - b[q]));
+    return differences;
+  }
+
+  double largest_ratio(const Values &errors, const Values &accuracy)
+  {
+    double largest = 0;
+    for (std::size_t q = 0; q < errors.size(); ++q)
+      largest = std::max(largest, errors[q] / accuracy[q]);
+    return largest;
+  }
+
   TimeReference::TimeReference(Pilot &pilot, const Choices &choices, const Rung *mesh)
     : pilot_(pilot)
     , method_(choices.candidates.at(choices.reference))
@@ -39,43 +50,47 @@ namespace myolines::study
     const PilotRun  *other = nullptr;
     for (std::size_t rung = 0; rung < method_.rungs.size(); ++rung)
       {
-        const auto      both  = pilot.run({{&method_, rung, mesh}, {&check, std::min(rung, check.rungs.size() - 1), mesh}});
-        const PilotRun *found = both[0];
-        other                 = both[1];
-        rung_                 = rung;
-        take(*found);
-        if (change_.empty() || !other->done())
+        pilot.run({{&method_, rung, mesh}, {&check, std::min(rung, check.rungs.size() - 1), mesh}}); // both at a time
+        take(rung);
+        other = &pilot.run({&check, std::min(rung, check.rungs.size() - 1), mesh});
+        if (change_.empty() || !other->done() || !changes_less_than(near_itself) ||
+            ratio(distance(run().plain_values(), other->plain_values())) > near_another)
           continue;
-        const Values between = distance(found->plain_values(), other->plain_values());
-        if (changes_less_than(near_itself) && ratio(between) <= near_another)
+        if (rung + leap >= method_.rungs.size())
+          return;
+        rung += leap;
+        if (!pilot.run({&method_, rung, mesh}).done())
+          return;
+        take(rung);
+        if (!change_.empty() && changes_less_than(near_itself))
           return;
       }
     throw SolveError("there is no value to measure errors against: steps of \"" + method_.name + "\" and \"" + check.name +
-                     "\" do not come within the accuracy. The last ones are " + words_of_values(*runs_.back()) + "; " +
-                     words_of_values(*other) + ". A larger --accuracy, or a quantity that rings less, may help");
+                     "\" do not come within the accuracy. The last ones are " + words_of_values(run()) + "; " + words_of_values(*other) +
+                     ". A larger --accuracy, or a quantity that rings less, may help");
   }
 
-  void TimeReference::take(const PilotRun &run)
+  void TimeReference::take(const std::size_t rung)
   {
+    const PilotRun &taken = pilot_.run({&method_, rung, mesh_});
     change_.clear();
-    if (run.done())
+    if (taken.done())
       {
-        accuracy_ = pilot_.accuracy_of(run.plain_values());
-        if (!runs_.empty() && runs_.back()->done() && run.finer_than(*runs_.back()))
-          change_ = distance(run.plain_values(), runs_.back()->plain_values());
+        accuracy_ = pilot_.accuracy_of(taken.plain_values());
+        if (!steps_.empty() && run().done() && taken.finer_than(run()))
+          change_ = distance(taken.plain_values(), run().plain_values());
       }
-    runs_.push_back(&run);
+    steps_.push_back({rung, &taken});
   }
 
   bool TimeReference::sharpen()
   {
-    if (rung_ + 1 >= method_.rungs.size())
+    if (rung() + 1 >= method_.rungs.size())
       return false;
-    const PilotRun &run = pilot_.run({&method_, rung_ + 1, mesh_});
-    if (!run.done() || !run.finer_than(this->run()))
+    const PilotRun &finer = pilot_.run({&method_, rung() + 1, mesh_});
+    if (!finer.done() || !finer.finer_than(run()))
       return false;
-    ++rung_;
-    take(run);
+    take(rung() + 1);
     return true;
   }
 
@@ -87,19 +102,11 @@ namespace myolines::study
     return errors;
   }
 
-  double TimeReference::ratio(const Values &errors) const
-  {
-    double largest = 0;
-    for (std::size_t q = 0; q < errors.size(); ++q)
-      largest = std::max(largest, errors[q] / accuracy_[q]);
-    return largest;
-  }
-
   std::size_t TimeReference::rung_within(const double part) const
   {
-    for (std::size_t rung = 0; rung < rung_; ++rung)
-      if (runs_[rung]->done() && ratio(errors_of(*runs_[rung])) <= part)
-        return rung;
-    return rung_;
+    for (const Step &step : steps_)
+      if (step.run->done() && ratio(errors_of(*step.run)) <= part)
+        return step.rung;
+    return rung();
   }
 } // namespace myolines::study

@@ -5,6 +5,12 @@
 
 namespace myolines::study
 {
+  /// |a - b| for each quantity.
+  Values distance(const Values &a, const Values &b);
+
+  /// The largest of the errors, each over its accuracy.
+  double largest_ratio(const Values &errors, const Values &accuracy);
+
   /// What runs of the pilot are measured against: those of the reference with shorter and shorter steps.
   class TimeReference
   {
@@ -22,23 +28,28 @@ namespace myolines::study
     Values errors_of(const PilotRun &run) const;
 
     /// The largest of @p errors over the accuracy.
-    double ratio(const Values &errors) const;
+    double ratio(const Values &errors) const { return largest_ratio(errors, accuracy_); }
 
-    const Values   &accuracy() const { return accuracy_; } ///< that is asked for
-    const PilotRun &run() const { return *runs_.back(); }  ///< the reference itself
-    std::size_t     rung() const { return rung_; }
+    const Values   &accuracy() const { return accuracy_; }     ///< that is asked for
+    const PilotRun &run() const { return *steps_.back().run; } ///< the reference itself
+    std::size_t     rung() const { return steps_.back().rung; }
 
     /// The longest steps of its method with errors of at most @p part of the accuracy.
     std::size_t rung_within(double part) const;
 
   private:
-    void take(const PilotRun &run);
+    /// A run of the reference.
+    struct Step
+    {
+      std::size_t     rung;
+      const PilotRun *run;
+    };
+    void take(std::size_t rung);
 
-    Pilot                        &pilot_;
-    const Candidate              &method_;
-    const Rung                   *mesh_;
-    std::size_t                   rung_ = 0;
-    std::vector<const PilotRun *> runs_; ///< up to rung_; those that failed, too
-    Values                        accuracy_, change_;
+    Pilot            &pilot_;
+    const Candidate  &method_;
+    const Rung       *mesh_;
+    std::vector<Step> steps_; ///< those that failed, too
+    Values            accuracy_, change_;
   };
 } // namespace myolines::study

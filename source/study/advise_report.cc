@@ -24,10 +24,12 @@ namespace myolines::study
     std::string text_of_quantity(const AdviceReport &report, const std::size_t q)
     {
       const NamedValue &value = report.reference.run().values[q];
-      const double      steps = report.advice.errors[q], mesh = report.mesh.errors[q], asked = report.reference.accuracy()[q];
+      const double      steps = report.advice.best_errors()[q], mesh = report.mesh.errors[q], asked = report.reference.accuracy()[q];
       std::string text = report.pilot.quantities()[q].file + ", " + value.header + ", " + words_of(report.pilot.quantities()[q]) + ": " +
                          with_unit(digits(asked, 2), value.header) + " are asked for";
       text += "\n  error   about " + with_unit(digits(steps + mesh, 2), value.header) + ": " + digits(steps, 2) + " of the steps";
+      if (report.advice.trial)
+        text += ", as tried (predicted " + digits(report.advice.errors[q], 2) + ")";
       text += report.mesh.rung == nullptr || mesh == 0 ? "" : ", " + digits(mesh, 2) + " of the mesh";
       if (value.value != 0)
         text += "; " + digits(100 * (steps + mesh) / std::abs(value.value), 2) + " % of " + digits(value.value, 4);
@@ -93,10 +95,11 @@ namespace myolines::study
 
     void write_candidates(const AdviceReport &report, const std::filesystem::path &folder)
     {
-      std::vector<std::string> header{"method", "parameter", "value", "outcome", "advised", "error over accuracy", "CPU of the pilot [s]",
-                                      "CPU [s]"};
+      std::vector<std::string> header{
+          "method",  "parameter",       "value", "outcome", "advised", "error over accuracy", "CPU of the pilot [s]",
+          "CPU [s]", "CPU as tried [s]"};
       for (const VerifiedQuantity &quantity : report.pilot.quantities())
-        for (const char *what : {"error of steps, ", "error of mesh, ", "value, "})
+        for (const char *what : {"error of steps, ", "error of steps as tried, ", "error of mesh, ", "value, "})
           header.push_back(what + quantity.text);
       CsvFile file(OutputFolder(folder), "advise.csv", header);
       for (const Track *track : in_order(report.search))
@@ -113,11 +116,16 @@ namespace myolines::study
               cells[5]               = exact_text(report.reference.ratio(errors));
               cells[6]               = exact_text(run.seconds());
               cells[7]               = exact_text(report.search.seconds_of(*track));
+              const Trial *trial     = advised && report.advice.trial ? &*report.advice.trial : nullptr;
+              if (trial != nullptr)
+                cells[8] = exact_text(trial->run->seconds());
               for (std::size_t q = 0; q < errors.size(); ++q)
                 {
-                  cells[8 + 3 * q]  = exact_text(errors[q]);
-                  cells[9 + 3 * q]  = exact_text(report.mesh.errors[q]);
-                  cells[10 + 3 * q] = exact_text(run.values[q].value);
+                  const std::size_t first = 9 + 4 * q;
+                  cells[first]            = exact_text(errors[q]);
+                  cells[first + 1]        = trial != nullptr ? exact_text(trial->errors[q]) : "";
+                  cells[first + 2]        = exact_text(report.mesh.errors[q]);
+                  cells[first + 3]        = exact_text(run.values[q].value);
                 }
             }
           file.row(cells);
@@ -129,10 +137,12 @@ namespace myolines::study
   std::string advice_text(const AdviceReport &report)
   {
     const Candidate &taken = *report.advice.track->candidate;
+    const bool       tried = report.advice.trial.has_value();
     std::string      text  = "Advised: " + taken.name + ", " + taken.parameter + " = " + report.advice.rung->label;
     if (report.mesh.rung != nullptr)
       text += ", " + report.choices.mesh.parameter + " = " + report.mesh.rung->label;
-    text += "\n  cost    about " + digits(report.advice.seconds, 2) + " CPU s\n";
+    text += "\n  cost    about " + digits(report.advice.best_seconds(), 2) + " CPU s" +
+            (tried ? ", as tried; predicted " + digits(report.advice.seconds, 2) : "") + "\n";
     for (std::size_t q = 0; q < report.pilot.quantities().size(); ++q)
       text += text_of_quantity(report, q);
     text += "Runs of the pilot";

@@ -103,11 +103,18 @@ namespace myolines::study
     track.confirmed       = good(*track.runs[track.rung]) && (finer == nullptr || good(*finer));
     if (track.confirmed)
       return true;
-    track.state = finer == nullptr ? State::too_coarse : State::searching;
+    reopen(track);
+    return false;
+  }
+
+  /// The search goes on with finer steps, and with those that were dearer.
+  void Search::reopen(Track &track)
+  {
+    track.confirmed = false;
+    track.state     = track.rung + 1 == track.candidate->rungs.size() ? State::too_coarse : State::searching;
     for (Track &each : tracks_)
       if (each.state == State::dearer && each.runs.back()->done())
         each.state = State::searching;
-    return false;
   }
 
   /// The next run with other steps; none beyond the finest.
@@ -139,10 +146,11 @@ namespace myolines::study
         run_all();
         Track *track = cheapest();
         if (track == nullptr)
-          return {nullptr, nullptr, {}, 0};
+          return {nullptr, nullptr, {}, 0, {}};
         if (!track->confirmed && !confirm(*track))
           continue;
-        Advice advice{track, &track->candidate->rungs[track->rung], reference_.errors_of(*track->runs[track->rung]), seconds_of(*track)};
+        Advice advice{
+            track, &track->candidate->rungs[track->rung], reference_.errors_of(*track->runs[track->rung]), seconds_of(*track), {}};
         if (const PilotRun *run = finer_than(*track))
           {
             const Values finer = reference_.errors_of(*run);
@@ -155,13 +163,26 @@ namespace myolines::study
       }
   }
 
-  Advice Search::advice()
+  Advice Search::advice(const bool tried)
   {
     best();
     add_those_by_error();
-    const Advice found = best();
-    if (found.track == nullptr)
-      throw SolveError("no method meets the accuracy with any steps that were tried. A larger --accuracy may help");
-    return found;
+    std::optional<Trials> trials;
+    while (true)
+      {
+        Advice found = best();
+        if (found.track == nullptr)
+          throw SolveError("no method meets the accuracy with any steps that were tried. A larger --accuracy may help");
+        if (mesh_.rung == mesh_.pilot || !tried)
+          return found;
+        if (!trials)
+          trials.emplace(pilot_, choices_, mesh_);
+        found.trial = trials->trial(*found.track->candidate, found.track->rung);
+        if (found.trial && trials->ratio(found.trial->errors) <= allowed_)
+          return found;
+        for (Track &track : tracks_)
+          if (&track == found.track)
+            reopen(track);
+      }
   }
 } // namespace myolines::study

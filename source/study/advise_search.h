@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "advise_mesh.h"
+#include "advise_trial.h"
 
 #include <deque>
 
@@ -32,10 +32,15 @@ namespace myolines::study
   /// What is recommended.
   struct Advice
   {
-    const Track *track;
-    const Rung  *rung;
-    Values       errors;  ///< of the steps
-    double       seconds; ///< CPU time on the mesh that is taken [s]
+    const Track         *track;
+    const Rung          *rung;
+    Values               errors;  ///< of the steps, as the pilot predicts them
+    double               seconds; ///< CPU time on the mesh that is taken [s], likewise
+    std::optional<Trial> trial;   ///< on that mesh; none where that of the pilot is taken
+
+    /// As they were found on that mesh; else predicted.
+    const Values &best_errors() const { return trial ? trial->errors : errors; }
+    double        best_seconds() const { return trial ? trial->run->seconds() : seconds; }
   };
 
   /// Runs all candidates with finer and finer steps, see advise_command().
@@ -45,8 +50,9 @@ namespace myolines::study
     /// All are borrowed.
     Search(Pilot &pilot, const Choices &choices, TimeReference &reference, const MeshChoice &mesh);
 
-    /// @throws SolveError if no candidate is accurate enough.
-    Advice advice();
+    /// What is advised; @p tried on its mesh, where that is not the one of the pilot. @throws SolveError if no candidate is accurate
+    /// enough.
+    Advice advice(bool tried);
 
     const std::deque<Track> &tracks() const { return tracks_; } ///< of candidates that were run
 
@@ -66,6 +72,7 @@ namespace myolines::study
     bool            good(const PilotRun &run) const;
     bool            confirm(Track &track);
     const PilotRun *finer_than(const Track &track);
+    void            reopen(Track &track);
     void            add_those_by_error();
     Advice          best();
 

@@ -101,7 +101,7 @@ TEST(Advise, ChoosesTheMeshOfARod)
   const TestFolder folder;
   folder.write("scene.xml", pulled_rod);
   const double  stiffness = 3 * 1e6 * (1 - 2 * 0.499), density = 1060, exact = 1e-4 * std::sqrt(stiffness * density) * 0.3 * 0.3 * 0.3;
-  const Outcome outcome = run_program(folder, "advise scene.xml --out out --jobs 1 --write advised.xml --accuracy \"2 %\" --at-most 100"
+  const Outcome outcome = run_program(folder, "advise scene.xml --out out --jobs 1 --write advised.xml --accuracy \"4 %\" --at-most 100"
                                               " --quantity \"reaction.csv:moving end x\"");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("system/elements = "), std::string::npos) << outcome.out;
@@ -109,9 +109,8 @@ TEST(Advise, ChoosesTheMeshOfARod)
   const double error     = std::abs(value_as_advised(folder, "reaction.csv", "moving end x [N]") - exact),
                predicted = std::stod(row.at("error of steps, reaction.csv:moving end x")) +
                            std::stod(row.at("error of mesh, reaction.csv:moving end x"));
-  EXPECT_LE(error, 0.02 * exact) << outcome.out;
+  EXPECT_LE(error, 0.04 * exact) << outcome.out;
   EXPECT_LE(error, 2 * predicted) << outcome.out;
-  EXPECT_GE(error, predicted / 4) << outcome.out;
 
   const Outcome refused = run_program(folder, "advise scene.xml --out out --jobs 1 --accuracy \"0.001 %\" --at-most 1"
                                               " --quantity \"reaction.csv:moving end x\"");
@@ -124,15 +123,20 @@ TEST(Advise, KeepsTheMeshOfAMuscle)
 {
   const TestFolder folder;
   folder.write("scene.xml", muscle_scene);
-  const Outcome outcome =
-      run_program(folder, "advise scene.xml --unset time/step --set \"time/steps=2 x 0.01; 4 x 0.005\" --out out --jobs 1 --keep-mesh"
-                          " --write advised.xml --accuracy \"1 %\" --quantity \"reaction.csv:moving end x\"");
+  const std::string smooth = " --set \"system/boundary/moving end/strain/type=smooth step\""
+                             " --set \"system/boundary/moving end/strain/amplitude=0.05\""
+                             " --set \"system/boundary/moving end/strain/duration=0.2\" --set time/end=0.2";
+  const Outcome     outcome =
+      run_program(folder, "advise scene.xml" + smooth +
+                              " --unset time/step --set \"time/steps=2 x 0.05; 4 x 0.025\" --out out --jobs 1"
+                              " --keep-mesh --write advised.xml --accuracy \"0.1 %\" --quantity \"reaction.csv:moving end x\"");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  ASSERT_EQ(run_program(folder, "run scene.xml --set time/step=1e-4 --set integrator/type=sdirk2 --out fine --quiet").exit_code, 0);
+  ASSERT_EQ(
+      run_program(folder, "run scene.xml" + smooth + " --set time/step=1e-3 --set integrator/type=sdirk2 --out fine --quiet").exit_code, 0);
   const auto   fine  = myolines::scene::read_csv(folder / "fine/reaction.csv");
   const double truth = std::stod(fine->rows.back().at(fine->column("moving end x [N]").value())),
                error = std::abs(value_as_advised(folder, "reaction.csv", "moving end x [N]") - truth);
-  EXPECT_LE(error, 0.01 * std::abs(truth)) << outcome.out;
+  EXPECT_LE(error, 0.001 * std::abs(truth)) << outcome.out;
   EXPECT_LE(error, 2 * std::stod(row_of_advice(folder)["error of steps, reaction.csv:moving end x"])) << outcome.out;
   EXPECT_NE(row_of_advice(folder, "static")["outcome"].find("inertia"), std::string::npos);
 }
