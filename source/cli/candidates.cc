@@ -64,14 +64,21 @@ namespace myolines
         candidate.settings.insert(candidate.settings.end(), {"time/control/type=error", step_setting(first_step_tried)});
         const scene::Node  whole   = with(candidate.settings);
         const scene::Node &control = whole.section("time").section("control");
-        const double       given   = control.section("displacement").number("relative tolerance"),
-                     relative      = given > 0 ? given : 1; // part of absolute ones
+        double             largest = 0, label = 1; // of the scene
+        for (const char *block : {"velocity", "displacement"})
+          if (control.has(block))
+            {
+              label   = control.section(block).number("relative tolerance");
+              largest = std::max(largest, label);
+            }
         const double most =
-            relative * std::pow(ratio_of_tolerances, std::floor(std::log(largest_tolerance / relative) / std::log(ratio_of_tolerances)));
+            largest > 0 ? std::pow(ratio_of_tolerances, std::floor(std::log(largest_tolerance / largest) / std::log(ratio_of_tolerances)))
+                        : 64;
         for (int i = 0; i < tolerances; ++i)
           {
             const double size = std::pow(ratio_of_tolerances, -i);
-            candidate.rungs.push_back({short_number(most * size), scaled_tolerances(control, most * size / relative), size, 1 / size});
+            candidate.rungs.push_back(
+                {short_number(most * size * (label > 0 ? label : 1)), scaled_tolerances(control, most * size), size, 1 / size});
           }
         return candidate;
       }

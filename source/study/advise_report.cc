@@ -56,7 +56,7 @@ namespace myolines::study
       switch (track.state)
         {
         case Track::State::dearer:
-          return "dearer before it is accurate";
+          return "costs more before it is accurate";
         case Track::State::too_coarse:
           return "not accurate with the finest";
         case Track::State::failing:
