@@ -40,9 +40,10 @@ def fusiform():
     return StructuredMesh(n, position, tissue, face)
 
 
-def bipennate():
+def bipennate(n=(12, 3, 9)):
+    """Across: layers of muscle as many as below, one of the sheet, as many above."""
     length, width, sheet, layer, angle = 0.06, 0.01, 0.001, 0.008, math.radians(25)
-    n, n_layer = (12, 3, 9), 4  # across: four cells of muscle, one of the sheet, four of muscle
+    n_layer = n[2] // 2
 
     def height(k):
         middle = n[2] // 2

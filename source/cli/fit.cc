@@ -4,6 +4,7 @@
 #include <myolines/cli/fit.h>
 #include <myolines/cli/plugins.h>
 
+#include <algorithm>
 #include <set>
 
 namespace myolines
@@ -38,5 +39,17 @@ namespace myolines
       {
         return error.problems().front();
       }
+  }
+
+  std::vector<const IntegratorEntry *> methods_for_every_system()
+  {
+    std::vector<const IntegratorEntry *> methods;
+    for (const IntegratorEntry &entry : integrator_registry())
+      if (const MethodFacts &facts = entry.facts; facts.unknowns == MethodFacts::Unknowns::every_order && facts.error_exponent > 0 &&
+                                                  facts.estimates_velocity && plugin_of("integrator " + facts.name).empty())
+        methods.push_back(&entry);
+    std::stable_sort(methods.begin(), methods.end(),
+                     [](const IntegratorEntry *a, const IntegratorEntry *b) { return a->facts.order > b->facts.order; });
+    return methods;
   }
 } // namespace myolines

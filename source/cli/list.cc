@@ -180,19 +180,6 @@ namespace myolines
                                     nearest_hint(name, known, "nearest valid name")});
     }
 
-    /// Of the built-in methods that take every system and estimate their errors, the one of highest order (doc/which_method.md).
-    const IntegratorEntry &method_to_begin_with()
-    {
-      const auto fits = [](const MethodFacts &facts) {
-        return facts.unknowns == MethodFacts::Unknowns::every_order && facts.error_exponent > 0 && facts.estimates_velocity &&
-               plugin_of("integrator " + facts.name).empty();
-      };
-      const auto &all = integrator_registry();
-      return *std::max_element(all.begin(), all.end(), [&](const IntegratorEntry &left, const IntegratorEntry &right) {
-        return fits(left.facts) * left.facts.order < fits(right.facts) * right.facts.order;
-      });
-    }
-
     template <typename Things, typename NameOf>
     std::vector<std::string> names_of(const Things &things, const NameOf &name_of)
     {
@@ -259,7 +246,7 @@ namespace myolines
     if (!integrator.empty() && std::find(methods.begin(), methods.end(), integrator) == methods.end())
       refuse("integrator", integrator, methods);
 
-    const IntegratorEntry      &method = integrator.empty() ? method_to_begin_with() : integrator_entry(integrator);
+    const IntegratorEntry      &method = integrator.empty() ? *methods_for_every_system().front() : integrator_entry(integrator);
     std::optional<InputProblem> refused;
     for (const SystemVariant &variant : entry.variants)
       {

@@ -2,6 +2,7 @@
 #include "flexodeal_options.h"
 #include "option_checks.h"
 #include "picture_options.h"
+#include "study_options.h"
 
 #include <myolines/base/error.h>
 #include <myolines/base/lone_process.h>
@@ -47,6 +48,7 @@ namespace myolines
         add_point();
         add_study();
         add_verify();
+        add_advise();
         add_compare();
         add_plot();
         add_picture();
@@ -193,57 +195,45 @@ namespace myolines
               study_.plugins = plugins;
               study_command(study_, run.quiet, mpi_, out_);
             });
-        command->add_option("study", study_.file, "The study")->required()->type_name("STUDY.xml");
-        command->add_option("--out", study_.folder, "Where to write; default: results/ and the name of the study")->type_name("DIR");
-        command->add_option("--jobs", study_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
-        command->add_flag("--retry", study_.retry, "Runs cases again that failed");
-        CLI::Option *list = command->add_flag("--list", study_.list, "Validates and prints the cases, and runs nothing");
-        CLI::Option *part =
-            command->add_option("--part", study_.part, "Runs every OF-th case from the one of that number on")->type_name("NUMBER/OF");
-        CLI::Option *emit = command
-                                ->add_option("--emit", study_.emit,
-                                             "Writes a batch script instead: slurm (array job) or mpi (one job, its ranks in groups)")
-                                ->check(CLI::IsMember({"slurm", "mpi"}))
-                                ->excludes(part)
-                                ->excludes(list);
-        part->excludes(list);
-        command->add_option("--tasks", study_.tasks, "Tasks of that array, or groups of ranks of that job")
-            ->check(at_least_one())
-            ->needs(emit)
-            ->capture_default_str();
+        add_study_options(*command, study_);
         command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
         add_plugins(command);
-        command->add_option("--set", study_.overrides, "Overrides a value of the study: \"budget/total=60\"; may be repeated")
-            ->allow_extra_args(false)
-            ->type_name("PATH=VALUE");
+      }
+
+      void add_scene(CLI::App *command)
+      {
+        command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
+        command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
+        add_scene_options(command);
+      }
+
+      void take_scene(study::QuantityOptions &question) const
+      {
+        question.scene     = run.scene;
+        question.overrides = run.overrides;
+        question.plugins   = plugins;
       }
 
       void add_verify()
       {
         CLI::App *command =
             add(app, "verify", "Estimates the errors that steps and mesh leave in values of a scene, and what less costs", [this] {
-              verify_.scene     = run.scene;
-              verify_.overrides = run.overrides;
-              verify_.plugins   = plugins;
+              take_scene(verify_);
               verify_command(verify_, run.quiet, mpi_, out_);
             });
-        command->add_option("scene", run.scene, "The scene")->required()->type_name("SCENE.xml");
-        command
-            ->add_option("--quantity", verify_.quantities,
-                         "A value: a column of a table that runs write, its last value or, with :largest, :smallest or \":at TIME\" after "
-                         "it, that one; may be repeated")
-            ->required()
-            ->allow_extra_args(false)
-            ->type_name("FILE:COLUMN");
-        command->add_option("--out", verify_.folder, "Where to write; default: results/ and \"SCENE verify\"")->type_name("DIR");
-        command->add_option("--at-most", verify_.at_most, "CPU time of a run over that of the scene; longer ones are left out")
-            ->check(CLI::PositiveNumber)
-            ->capture_default_str();
-        command->add_option("--ranks", verify_.ranks, "MPI ranks of each run")->check(at_least_one())->capture_default_str();
-        command->add_option("--jobs", verify_.jobs, "Runs at a time; default: as many as there are cores for")->check(at_least_one());
-        command->add_flag("--retry", verify_.retry, "Runs again what failed");
-        command->add_flag("--quiet", run.quiet, "Prints nothing unless something goes wrong");
-        add_scene_options(command);
+        add_scene(command);
+        add_quantity_options(*command, verify_);
+      }
+
+      void add_advise()
+      {
+        CLI::App *command = add(app, "advise", "Finds the cheapest method, steps and mesh for an accuracy of values of a scene", [this] {
+          take_scene(advise_);
+          advise_command(advise_, run.quiet, mpi_, out_);
+        });
+        add_scene(command);
+        add_quantity_options(*command, advise_);
+        add_advise_options(*command, advise_);
       }
 
       void add_compare()
@@ -324,6 +314,7 @@ namespace myolines
       FlexodealOptions        flexodeal_;
       study::Options          study_;
       study::VerifyOptions    verify_;
+      study::AdviseOptions    advise_;
       CompareOptions          compare_;
       study::PlotOptions      plot_;
       picture::PictureOptions picture_;
@@ -356,7 +347,7 @@ namespace myolines
   {
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is told where it is written
     const std::string command          = argc > 1 ? argv[1] : "";
-    const bool        starts_processes = command == "study" || command == "verify";
+    const bool        starts_processes = command == "study" || command == "verify" || command == "advise";
     if (!starts_processes || is_rank_of_a_job())
       {
         struct sigaction hang_up

@@ -108,11 +108,7 @@ namespace myolines
       add_levels(ladder, -2, 2, [&](const int level) {
         const double factor = std::pow(ratio, -level);
         Rung         rung{factor_text(factor), {}, factor, std::pow(ratio, level / exponent)};
-        for (const char *block : {"displacement", "velocity"})
-          if (control.has(block))
-            for (const char *name : {"relative tolerance", "absolute tolerance"})
-              rung.settings.push_back("time/control/" + std::string(block) + "/" + name + "=" +
-                                      scene::format_number(factor * control.section(block).number(name)));
+        rung.settings = scaled_tolerances(control, factor);
         return if_allowed(scene, level, rung);
       });
     }
@@ -151,6 +147,7 @@ namespace myolines
       const Node            &time   = scene.node.section("time");
       const IntegratorEntry &method = integrator_entry(scene.node.section("integrator").text("type"));
       Ladder                 ladder;
+      require_steps(time);
       ladder.name  = "steps";
       ladder.order = std::max(1u, facts_with(method, scene.node.section("integrator")).order);
       if (time.section("control").text("type") == "error")
@@ -250,6 +247,17 @@ namespace myolines
       return on_other_mesh(scene, rung, row, no_room);
     }
   } // namespace
+
+  std::vector<std::string> scaled_tolerances(const scene::Node &control, const double factor)
+  {
+    std::vector<std::string> settings;
+    for (const char *block : {"displacement", "velocity"})
+      if (control.has(block))
+        for (const char *name : {"relative tolerance", "absolute tolerance"})
+          settings.push_back("time/control/" + std::string(block) + "/" + name + "=" +
+                             scene::format_number(factor * control.section(block).number(name)));
+    return settings;
+  }
 
   study::Refinements refinements_of(const std::filesystem::path &file, const std::vector<std::string> &overrides)
   {

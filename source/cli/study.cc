@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/cli/candidates.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/cli/commands.h>
 #include <myolines/cli/memory.h>
@@ -71,5 +72,17 @@ namespace myolines
     options.refinements = refinements_of;
     std::ostream nowhere(nullptr);
     study::verify_command(options, quiet ? nowhere : out);
+  }
+
+  void advise_command(study::AdviseOptions options, const bool quiet, MpiSession &mpi, std::ostream &out)
+  {
+    RunsOfThisProgram runs(mpi);
+    runs.set_up(options, quiet);
+    options.choices    = choices_of;
+    options.scene_text = [](const std::filesystem::path &scene, const std::vector<std::string> &settings) {
+      return scene::written_xml(read_whole_scene(scene, settings));
+    };
+    std::ostream nowhere(nullptr);
+    study::advise_command(options, quiet ? nowhere : out);
   }
 } // namespace myolines

@@ -48,7 +48,7 @@ namespace myolines::study
         const double before = samples[0].value - next.value, after = next.value - finest.value;
         const auto   rate = shrinking_rate(before, after, next.size / finest.size);
         if (!rate)
-          return {distrusted * range(samples), Approach::irregular, {}, {}, distrusted};
+          return {distrusted * range(samples), Approach::irregular, {}, {}, distrusted, range(samples)};
         found.approach = before * after < 0                      ? Approach::alternating
                          : std::abs(*rate - order) <= order / 10 ? Approach::as_in_theory
                                                                  : Approach::at_another_rate;
@@ -61,8 +61,10 @@ namespace myolines::study
             found.safety  = trusted;
           }
       }
-    const double remaining = found.safety * std::abs(next.value - finest.value) / (std::pow(next.size / finest.size, *found.assumed) - 1);
-    found.error            = std::abs(samples[which].value - finest.value) + remaining;
+    const double known = std::abs(samples[which].value - finest.value);
+    const double left  = std::abs(next.value - finest.value) / (std::pow(next.size / finest.size, *found.assumed) - 1);
+    found.error        = known + found.safety * left;
+    found.likely       = known + left;
     return found;
   }
 } // namespace myolines::study

@@ -17,18 +17,6 @@ namespace myolines::study
   {
     using Part = VerifyRun::Part;
 
-    constexpr double week = 604800; // [s]
-
-    Study study_of(const VerifyOptions &options)
-    {
-      Study study;
-      study.scene         = options.scene;
-      study.ranks         = options.ranks;
-      study.case_seconds  = week;
-      study.total_seconds = week;
-      return study;
-    }
-
     VerifyRun run_of(const VerifyOptions &options, const Part part, const std::string &parameter, const Rung &rung)
     {
       VerifyRun run{{}, part, rung, {}};
@@ -116,11 +104,8 @@ namespace myolines::study
       quantities.push_back(read_verified_quantity(text));
     Refinements                 refinements = options.refinements(options.scene, options.overrides);
     std::vector<VerifyRun>      runs        = plan(options, refinements);
-    const std::filesystem::path folder =
-        options.folder.empty() ? std::filesystem::path("results") / (options.scene.stem().string() + " verify") : options.folder;
-    on_writing_rank("output folder " + folder.string(), "a folder that can be made and written", "choose another one with --out",
-                    [&] { std::filesystem::create_directories(folder); });
-    const FileLock lock(folder / "verify.lock", FileLock::Kind::exclusive, "another verification");
+    const std::filesystem::path folder      = made_folder(options, "verify");
+    const FileLock              lock(folder / "verify.lock", FileLock::Kind::exclusive, "another verification");
 
     run_all(options, study_of(options), quantities, folder, runs);
     if (!runs.front().done())

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "number_text.h"
+#include "runs_table.h"
 #include "verify_results.h"
 
 #include <myolines/base/names.h>
@@ -6,29 +8,12 @@
 #include <myolines/output/text_file.h>
 #include <myolines/study/results.h>
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace myolines::study
 {
   namespace
   {
-    std::string digits(const double value, const int n)
-    {
-      std::ostringstream text;
-      text.precision(n);
-      text << value;
-      return text.str();
-    }
-
-    /// With two digits more than those that @p error leaves certain.
-    std::string value_text(const double value, const double error)
-    {
-      const double certain = error > 0 && value != 0 ? std::log10(std::abs(value) / error) : 10;
-      return digits(value, static_cast<int>(std::clamp(certain + 3, 4., 12.)));
-    }
-
     /// "time/step = 0.0125" has the label "0.0125" on its ladder; the scene is on both.
     const std::string &label(const VerifyRun &run, const Ladder &ladder)
     {
@@ -158,8 +143,6 @@ namespace myolines::study
              digits(100 * energy->drift / energy->exchanged, 2) + " % of the " + digits(energy->exchanged, 3) + " J exchanged.\n";
     }
 
-    std::string cell_of(const std::optional<double> &value) { return value ? exact_text(*value) : ""; }
-
     std::vector<std::string> cells_of_ladder(const LadderError &found, const std::optional<double> &error)
     {
       return {cell_of(error), cell_of(found.error ? found.error->rate : std::nullopt), exact_text(found.ladder->order),
@@ -198,22 +181,6 @@ namespace myolines::study
             return ladder->values[i];
       return run.done() ? found.other_degree : std::nullopt;
     }
-
-    void write_runs(const std::vector<VerifiedValue> &values, const std::vector<VerifyRun> &runs, const std::filesystem::path &folder)
-    {
-      std::vector<std::string> header{"run", "status", "reason", "CPU [s]"};
-      for (const VerifiedValue &found : values)
-        header.push_back(found.quantity.text);
-      CsvFile file(OutputFolder(folder), "runs.csv", header);
-      for (const VerifyRun &run : runs)
-        {
-          std::vector<std::string> cells{run.which.name, run.outcome.status, run.outcome.reason, cell_of(run.outcome.cpu_seconds)};
-          for (const VerifiedValue &found : values)
-            cells.push_back(cell_of(value_of(run, found)));
-          file.row(cells);
-        }
-      file.close();
-    }
   } // namespace
 
   std::string report_text(const std::vector<VerifiedValue> &values, const std::vector<VerifyRun> &runs, const Refinements &refinements)
@@ -228,6 +195,16 @@ namespace myolines::study
                            const std::filesystem::path &folder)
   {
     write_values(values, runs.front(), folder);
-    write_runs(values, runs, folder);
+    std::vector<std::string> quantities;
+    for (const VerifiedValue &found : values)
+      quantities.push_back(found.quantity.text);
+    std::vector<RunRow> rows;
+    for (const VerifyRun &run : runs)
+      {
+        rows.push_back({&run.which.name, &run.outcome, {}});
+        for (const VerifiedValue &found : values)
+          rows.back().values.push_back(value_of(run, found));
+      }
+    write_runs_table(quantities, rows, folder);
   }
 } // namespace myolines::study

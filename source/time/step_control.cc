@@ -132,9 +132,7 @@ namespace myolines
       const double end   = time.number("end");
       if (!(end > start))
         time.refuse("end", "the end does not come after the start", "a time later than \"start\" [s]");
-      if (time.has("step") == time.has("steps"))
-        time.refuse("step", time.has("step") ? "both \"step\" and \"steps\" are given" : "neither \"step\" nor \"steps\" is given",
-                    "exactly one of them", "\"step\" is one size [s], \"steps\" a schedule such as \"4 x 0.025; 8 x 0.0125\"");
+      require_steps(time);
       return time.has("steps") ? scheduled(time, start, end) : Plan(start, end, time.number("step"));
     }
   } // namespace
@@ -207,6 +205,13 @@ namespace myolines
     if (pieces.empty())
       node.refuse(parameter, "the schedule is empty", "\"count x size\" separated by semicolons", "for example \"4 x 0.025; 8 x 0.0125\"");
     return pieces;
+  }
+
+  void require_steps(const scene::Node &time)
+  {
+    if (time.has("step") == time.has("steps"))
+      time.refuse("step", time.has("step") ? "both \"step\" and \"steps\" are given" : "neither \"step\" nor \"steps\" is given",
+                  "exactly one of them", "\"step\" is one size [s], \"steps\" a schedule such as \"4 x 0.025; 8 x 0.0125\"");
   }
 
   std::unique_ptr<StepControl> make_step_control(const scene::Node &time, const unsigned int error_exponent)

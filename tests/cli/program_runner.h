@@ -77,3 +77,12 @@ inline Outcome run_program(const TestFolder &folder, const std::string &argument
     }
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder / "out.txt"), contents(folder / "err.txt")};
 }
+
+/// How often @p what is in @p text.
+inline std::size_t occurrences(const std::string &text, const std::string &what)
+{
+  std::size_t n = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    ++n;
+  return n;
+}

@@ -63,3 +63,40 @@ inline const std::string muscle_scene = R"(<?xml version="1.0"?>
   </ParameterList>
 </ParameterList>
 )";
+
+/// A free oscillation, u = cos(t) with the defaults.
+inline const std::string free_oscillation = R"(<ParameterList name="scene">
+  <ParameterList name="system"><Parameter name="type" type="string" value="oscillator"/></ParameterList>
+  <ParameterList name="integrator"><Parameter name="type" type="string" value="backward euler"/></ParameterList>
+  <ParameterList name="time">
+    <Parameter name="end" type="double" value="2"/>
+    <Parameter name="step" type="double" value="0.05"/>
+  </ParameterList>
+</ParameterList>
+)";
+
+/// A linear rod of 0.5 m pulled by g(t) = 0.1 t^3: until the wave comes back, u = g(t - (L - x)/c) and the force is A sqrt(E rho) g'(t).
+inline const std::string pulled_rod = R"(<ParameterList name="scene">
+  <ParameterList name="system">
+    <Parameter name="type" type="string" value="rod 1d"/>
+    <Parameter name="length" type="double" value="0.5"/>
+    <Parameter name="elements" type="int" value="4"/>
+    <Parameter name="degree" type="int" value="1"/>
+    <ParameterList name="material">
+      <Parameter name="type" type="string" value="linear"/>
+      <Parameter name="bulk modulus" type="double" value="1e6"/>
+      <Parameter name="poisson ratio" type="double" value="0.499"/>
+    </ParameterList>
+    <ParameterList name="profile">
+      <Parameter name="type" type="string" value="power"/>
+      <Parameter name="amplitude" type="double" value="0.2"/>
+      <Parameter name="exponent" type="int" value="3"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="integrator"><Parameter name="type" type="string" value="sdirk2"/></ParameterList>
+  <ParameterList name="time">
+    <Parameter name="end" type="double" value="0.3"/>
+    <Parameter name="step" type="double" value="0.01"/>
+  </ParameterList>
+</ParameterList>
+)";

@@ -98,6 +98,8 @@ refused '"rho bathe" is not a valid choice' study study.xml --out study
 "$myolines" study study.xml --plugin build/methods.so --list | grep -- '--plugin' >/dev/null || fail "the list of cases does not name it"
 "$myolines" verify "$scene" --plugin build/methods.so --set "integrator/type=rho bathe" --set time/end=1 --quantity "trajectory.csv:Displacement [m]" \
   --out verify --quiet
+"$myolines" advise "$scene" --plugin build/methods.so --set time/end=1 --quantity "trajectory.csv:Displacement [m]" --accuracy "1 %" --out advise --quiet
+grep 'rho bathe' advise/advise.csv >/dev/null || fail "the method of the plug-in is no candidate"
 mv away prefix/lib/myolines/plugins
 
 # Built with something else.

@@ -3,8 +3,8 @@
 
 #include <myolines/cli/mpi_session.h>
 #include <myolines/scene/scene.h>
+#include <myolines/study/advise.h>
 #include <myolines/study/command.h>
-#include <myolines/study/verify.h>
 #include <myolines/time/loop.h>
 
 #include <filesystem>
@@ -69,6 +69,9 @@ namespace myolines
 
   /// Estimates the errors of steps and mesh of a scene; what @p options leave open is set here. Runs are started as above.
   void verify_command(study::VerifyOptions options, bool quiet, MpiSession &mpi, std::ostream &out);
+
+  /// Advises method, steps and mesh for an accuracy; likewise.
+  void advise_command(study::AdviseOptions options, bool quiet, MpiSession &mpi, std::ostream &out);
 
   /// The words `list` accepts.
   std::vector<std::string> list_topics();

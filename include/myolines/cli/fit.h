@@ -19,4 +19,8 @@ namespace myolines
 
   /// Why a run of that example is refused, by the words of the run itself, which is made for it but not started; none if it is not.
   std::optional<InputProblem> why_refused(const SystemEntry &system, const SystemVariant &variant, const IntegratorEntry &integrator);
+
+  /// The built-in methods that take every system and estimate their errors, highest order first; the first is the one to begin with
+  /// (doc/which_method.md).
+  std::vector<const IntegratorEntry *> methods_for_every_system();
 } // namespace myolines

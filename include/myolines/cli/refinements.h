@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/scene/scene.h>
 #include <myolines/study/verify.h>
 
 #include <filesystem>
@@ -18,4 +19,7 @@ namespace myolines
   /// Meshes that need more memory than there is are left out, and finer ones where steps are explicit.
   /// @throws InputError if it is no scene.
   study::Refinements refinements_of(const std::filesystem::path &scene, const std::vector<std::string> &overrides);
+
+  /// The tolerances of the list @p control, whose steps are chosen by error, times @p factor.
+  std::vector<std::string> scaled_tolerances(const scene::Node &control, double factor);
 } // namespace myolines

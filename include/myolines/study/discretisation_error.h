@@ -32,6 +32,7 @@ namespace myolines::study
     std::optional<double> rate;       ///< observed, where values are monotone
     std::optional<double> assumed;    ///< at which errors are taken to go down, size^rate; none if irregular or at once
     double                safety = 1; ///< factor in the error
+    double                likely = 0; ///< the error without the factor of safety
   };
 
   /// The error of @p samples[@p which]: its distance from the value of the smallest size, plus the error of that one. With r the ratio of

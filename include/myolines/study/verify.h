@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <myolines/study/driver.h>
+#include <myolines/study/quantity_options.h>
 
 #include <filesystem>
 #include <functional>
@@ -50,15 +50,8 @@ namespace myolines::study
   };
 
   /// What `verify` is asked for.
-  struct VerifyOptions : Driver
+  struct VerifyOptions : QuantityOptions
   {
-    std::filesystem::path    scene;        ///< file of the scene
-    std::vector<std::string> overrides;    ///< "path=value", in their order
-    std::vector<std::string> quantities;   ///< "FILE:COLUMN", ":last" (default), ":largest", ":smallest" or ":at TIME" after it
-    std::filesystem::path    folder;       ///< empty: results/ and the name of the scene, with " verify" after it
-    double                   at_most = 10; ///< CPU seconds of a run over those of the scene
-    unsigned int             ranks   = 1;  ///< of each run
-
     /// What can be refined in the scene. @throws InputError if it is no scene.
     std::function<Refinements(const std::filesystem::path &scene, const std::vector<std::string> &overrides)> refinements;
   };

@@ -57,6 +57,9 @@ namespace myolines
     unsigned int count; ///< of steps
     double       size;  ///< [s]
   };
+  /// @throws InputError unless the list `time` has one of `step` and `steps`.
+  void require_steps(const scene::Node &time);
+
   /// @throws InputError (through node.refuse) if the text is not a schedule.
   std::vector<SchedulePiece> parse_schedule(const std::string &text, const scene::Node &node, const std::string &parameter);
 
