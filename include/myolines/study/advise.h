@@ -24,12 +24,14 @@ namespace myolines::study
   /// What may be chosen for a scene.
   struct Choices
   {
-    std::vector<Candidate>                           candidates;
-    std::size_t                                      reference, check; ///< candidates of high order for every system, which tell the truth
-    std::vector<std::pair<std::string, std::string>> refused;          ///< method, and why the scene does not take it
-    Ladder                                           mesh;
+    std::vector<Candidate>                           candidates; ///< in the order of the list of methods
+    std::size_t                                      reference;  ///< the candidate of high order whose values are taken as true
+    std::size_t                                      check;      ///< another one of high order, which must agree with it
+    std::vector<std::pair<std::string, std::string>> refused;    ///< method, and why the scene does not take it
+    Ladder                                           mesh;       ///< meshes from the coarsest on
   };
 
+  /// What `advise` is asked for.
   struct AdviseOptions : QuantityOptions
   {
     std::string           accuracy;          ///< "1 %" of the value, or a number in its unit

@@ -12,8 +12,8 @@ namespace myolines::study
   /// A question about values of a scene, which runs of variants of it answer.
   struct QuantityOptions : Driver
   {
-    std::filesystem::path    scene;
-    std::vector<std::string> overrides;
+    std::filesystem::path    scene;        ///< file of the scene
+    std::vector<std::string> overrides;    ///< "path=value", in their order
     std::vector<std::string> quantities;   ///< "FILE:COLUMN", ":last" (default), ":largest", ":smallest" or ":at TIME" after it
     std::filesystem::path    folder;       ///< empty: results/ and the name of the scene, with the command after it
     double                   at_most = 10; ///< CPU seconds of a run on a finer mesh over those of the scene
