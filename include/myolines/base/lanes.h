@@ -35,6 +35,7 @@ namespace myolines
     static constexpr int width   = bytes / sizeof(Real) < n ? bytes / sizeof(Real) : n;
     static constexpr int n_parts = n / width;
     typedef Real         Vec __attribute__((vector_size(width * sizeof(Real))));
+    typedef float        Narrow __attribute__((vector_size(width * sizeof(float))));
     using Integer = std::conditional_t<sizeof(Real) == 8, long, int>;
     typedef Integer Bits __attribute__((vector_size(width * sizeof(Real))));
     struct Mask
@@ -51,6 +52,24 @@ namespace myolines
     }
     MYOLINES_INLINE Real operator[](const int lane) const { return part[lane / width][lane % width]; }
     MYOLINES_INLINE void set(const int lane, const Real x) { part[lane / width][lane % width] = x; }
+
+    /// Of numbers in single precision, one per lane.
+    static MYOLINES_INLINE Lanes widened(const float *from)
+    {
+      return each([&](const int p) {
+        Narrow x;
+        __builtin_memcpy(&x, from + p * width, sizeof(x));
+        return __builtin_convertvector(x, Vec);
+      });
+    }
+    MYOLINES_INLINE void round_to(float *to) const
+    {
+      for (int p = 0; p < n_parts; ++p)
+        {
+          const Narrow x = __builtin_convertvector(part[p], Narrow);
+          __builtin_memcpy(to + p * width, &x, sizeof(x));
+        }
+    }
 
     MYOLINES_INLINE Lanes &operator+=(const Lanes &b) { return *this = *this + b; }
     MYOLINES_INLINE Lanes &operator-=(const Lanes &b) { return *this = *this - b; }
