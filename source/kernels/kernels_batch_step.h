@@ -19,7 +19,6 @@ namespace myolines
     using Base::F_before;
     using Base::F_rate;
     using Base::fibres;
-    using Base::fill_columns;
     using Base::inverse;
     using Base::JxW;
     using Base::law_points;
@@ -45,10 +44,11 @@ namespace myolines
         }
     }
 
-    /// The tangents of the points, each as StepTangentValue. S depends on F_1 by C_1 alone: its changes along the six units of a symmetric
-    /// C are enough, and dC = F^T dF + dF^T F makes moduli of nine columns of them.
-    void step_tangents(T *tangents)
+    /// The tangents of the points, each as StepTangentValue, in the scratch storage. S depends on F_1 by C_1 alone: its changes along the
+    /// six units of a symmetric C are enough, and dC = F^T dF + dF^T F makes moduli of nine columns of them.
+    const T *step_tangents()
     {
+      T *tangents = field(of_moduli);
       enter_step();
       const Part stored(*this, false), all(*this, true);
       const bool mixed = !all_is_stored();
@@ -92,36 +92,29 @@ namespace myolines
           if (m.velocities())
             add_rates(all, unit, tangents, size);
         }
+      return tangents;
     }
 
-    /// At fixed pressure @p flux = dP JxW, in the place of dF; @p volume = dP/dp JxW; moments += int phi dJ.
-    void step_actions(const double w[3], const T *tangent, const T *dF, T *flux, T *volume, T *moments) const
+    /// At fixed pressure dP = change of the flux at a point, times JxW; @p volume = dP/dp JxW. Returns dJ JxW.
+    /// @p tangent: StepTangentValue.
+    T step_action(const double w[3], const T *tangent, const T *dF, T *dP, T *volume) const
     {
-      for (int q = 0; q < n_points; ++q, tangent += point_tangent_size(m))
+      T change(0.);
+      for (int i = 0; i < 9; ++i)
         {
-          T dP[9], change(0.);
-          for (int i = 0; i < 9; ++i)
-            {
-              dP[i] = T(0.);
-              for (int j = 0; j < 9; ++j)
-                dP[i] += modulus(w, tangent, i, j) * dF[9 * q + j];
-              change += tangent[step_cofactor + i] * dF[9 * q + i];
-            }
-          for (int i = 0; i < t.n_modes; ++i)
-            moments[i] += mode(q, i) * change;
-          for (int i = 0; i < 9; ++i)
-            {
-              flux[9 * q + i]   = dP[i];
-              volume[9 * q + i] = tangent[step_volume + i];
-            }
+          dP[i] = T(0.);
+          for (int j = 0; j < 9; ++j)
+            dP[i] += modulus(w, tangent, i, j) * dF[j];
+          change += tangent[step_cofactor + i] * dF[i];
+          volume[i] = tangent[step_volume + i];
         }
+      return change;
     }
 
     /// The tangents of a step as coefficients in unit-cell directions, as PointLaw::coefficients().
     void step_coefficients(const double w[3])
     {
-      T *moduli = field(of_moduli);
-      step_tangents(moduli);
+      const T *moduli = step_tangents();
       for (int q = 0; q < n_points; ++q)
         {
           const T *tangent = moduli + q * point_tangent_size(m);
@@ -144,16 +137,15 @@ namespace myolines
         }
     }
 
-    /// A_m(n, b) = int phi_m F_m V : Grad N_n e_b, by which pressures enter forces; overwrites F_rate.
-    void fill_columns_of_step(T *A)
+    /// F_m V JxW, [n_points][9], by which pressures enter forces.
+    void volume_of_step(T *forces) const
     {
       for (int q = 0; q < n_points; ++q)
         {
           StepPoint<T> at;
           at.move(F_before + 9 * q, F + 9 * q, nullptr);
-          save(JxW(q) * (at.middle * at.volume), F_rate + 9 * q);
+          save(JxW(q) * (at.middle * at.volume), forces + 9 * q);
         }
-      fill_columns(F_rate, 9, A);
     }
 
     /// Fields of lanes.
@@ -347,7 +339,8 @@ namespace myolines
         {
           T       of_tissue[9], cofactor[9];
           const T weight = T(1.) / JxW(q);
-          tangent_action(part.model, material(q), of_points + q * tangent_size_rate, along + 9 * q, T(1.), w_u, w_v, of_tissue, cofactor);
+          tangent_action(part.model, material(q), Kinematics<T>(field(of_U) + 9 * q), of_points + q * tangent_size_rate, along + 9 * q,
+                         T(1.), w_u, w_v, of_tissue, cofactor);
           for (int i = 0; i < 9; ++i)
             dP[9 * q + i] += of_tissue[i] + weight * of_law[9 * q + i];
         }

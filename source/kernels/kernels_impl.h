@@ -1,61 +1,59 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "kernels_batch_step.h"
+#include "kernels_action.h"
 
 namespace myolines
 {
   /// The kernels on one batch.
   template <InstructionSet isa, int n1>
-  class BatchWork : private BatchStep<isa, n1>
+  class BatchWork : private BatchAction<isa, n1>
   {
-    using Base = BatchStep<isa, n1>;
+    using Base = BatchAction<isa, n1>;
     using T    = Lanes<isa>;
+    using Base::add_apply;
     using Base::add_forces;
     using Base::add_integral;
     using Base::add_rank;
     using Base::advance;
     using Base::Base;
     using Base::cells;
-    using Base::change_of_pressure;
     using Base::clear;
     using Base::coefficients;
+    using Base::cofactors;
     using Base::columns;
-    using Base::combine;
     using Base::dilatation;
     using Base::evaluate_F;
     using Base::evaluate_gradient;
+    using Base::evaluate_state;
     using Base::evaluate_values;
     using Base::expand;
     using Base::F;
     using Base::F_rate;
     using Base::fibres;
-    using Base::fill_columns_of_state;
-    using Base::fill_columns_of_step;
+    using Base::fill_columns;
+    using Base::fill_stiffness;
     using Base::filled_lanes_are;
     using Base::inverse;
     using Base::JxW;
     using Base::law_points;
+    using Base::law_weights;
     using Base::m;
     using Base::material;
     using Base::max_modes;
     using Base::missing;
-    using Base::mode;
     using Base::n_nodes;
     using Base::n_points;
-    using Base::orthonormal_modes;
     using Base::pressure;
     using Base::require_positive;
-    using Base::step_actions;
     using Base::step_coefficients;
     using Base::step_stresses;
-    using Base::step_tangents;
-    using Base::stiffness_of_modes;
-    using Base::store_volume;
+    using Base::store_tangent;
     using Base::t;
-    using Base::to_orthonormal;
     using Base::values;
+    using Base::volume_of_step;
     using Base::volumetric_state;
+    using Base::weigh_values;
     using Base::work;
 
   public:
@@ -90,25 +88,38 @@ namespace myolines
       work.advance(reinterpret_cast<const T *>(dp), trial_u, alpha, reinterpret_cast<T *>(trial_z));
     }
 
-    static void linearise(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v,
-                          double *tangent, double *scratch)
+    static void linearise(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *v, float *high,
+                          float *low, double *volume, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.store_tangent(u, v, reinterpret_cast<T *>(tangent));
+      work.store_tangent(u, v, high, low, reinterpret_cast<T *>(volume));
     }
 
-    static void apply(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *tangent,
+    static void apply(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const KernelTangent &tangent,
                       const double *x, double *y, const KernelPressure *pressure, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.add_apply(w, reinterpret_cast<const T *>(tangent), x, y, pressure);
+      work.add_apply(w, tangent, x, y, pressure);
     }
 
-    static void volume(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, double *columns,
-                       double *stiffness, double *scratch)
+    static void stiffness(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, double *W, double *scratch)
     {
       BatchWork work(t, m, c, scratch);
-      work.fill_volume(u, reinterpret_cast<T *>(columns), reinterpret_cast<T *>(stiffness));
+      work.fill_stiffness(u, reinterpret_cast<T *>(W));
+    }
+
+    static void condense(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *W,
+                         const double *b, double *y, double *scratch)
+    {
+      BatchWork work(t, m, c, scratch);
+      work.Base::condense(u, reinterpret_cast<const T *>(W), reinterpret_cast<const T *>(b), y);
+    }
+
+    static void recover(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double *u, const double *W,
+                        const double weight, const double *x, const double *b, double *z, double *scratch)
+    {
+      BatchWork work(t, m, c, scratch);
+      work.Base::recover(u, reinterpret_cast<const T *>(W), weight, x, reinterpret_cast<const T *>(b), reinterpret_cast<T *>(z));
     }
 
     static void element_matrices(const KernelTables &t, const KernelModel &m, const KernelCells &c, const double w[3], const double *u,
@@ -126,17 +137,6 @@ namespace myolines
     }
 
   private:
-    /// Gradients, rates if needed, pressure and dilatation at the points. False if the state is inadmissible.
-    bool evaluate_state(const double *u, const double *v)
-    {
-      evaluate_F(u);
-      if (!volumetric_state())
-        return false;
-      if (m.velocities())
-        evaluate_gradient(v, F_rate);
-      return true;
-    }
-
     /// Stresses of the laws at the points, [n_points][9].
     void law_stresses(T *P)
     {
@@ -144,8 +144,6 @@ namespace myolines
       for (int i = 0; i < cells.n_laws; ++i)
         law_kernels<isa>(cells.laws[i]).stress(cells.laws[i], law_points(F, 9, F_rate), reinterpret_cast<double *>(P));
     }
-
-    LawWeights law_weights(const double w[3]) const { return {w[0], m.viscous ? w[1] : 0, !m.exact_tangent}; }
 
     bool add_residual(const double *u, const double *v, const double *a, double *r, KernelForces &forces)
     {
@@ -193,102 +191,6 @@ namespace myolines
       return true;
     }
 
-    /// values *= factor rho0 JxW
-    void weigh_values(const double factor)
-    {
-      for (int q = 0; q < n_points; ++q)
-        {
-          const T weight = T(factor) * material(q)[material_density] * JxW(q);
-          for (int a = 0; a < 3; ++a)
-            values[a * n_points + q] *= weight;
-        }
-    }
-
-    void store_tangent(const double *u, const double *v, T *tangent)
-    {
-      evaluate_state(u, v);
-      const int size   = point_tangent_size(m);
-      T        *behind = tangent + n_points * size;
-      store_volume(behind);
-      if (m.before != nullptr)
-        {
-          step_tangents(tangent);
-          return;
-        }
-      for (int q = 0; q < n_points; ++q)
-        {
-          const Kinematics<T> k(F + 9 * q);
-          const PointLaw<T>   law(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q));
-          law.store(F_rate + 9 * q, JxW(q), tangent + q * size);
-        }
-      if (m.viscous)
-        for (int i = 0; i < 9 * n_points; ++i)
-          behind[VolumeLayout(t.n_modes).size + i] = F_rate[i];
-    }
-
-    /// The change of pressure is dp_h = phi S int phi cof F : dF, F that of the end in a step, unless one is given.
-    void add_apply(const double w[3], const T *tangent, const double *x, double *y, const KernelPressure *given)
-    {
-      const bool inertia = m.inertia && w[2] != 0, stiffness = w[0] != 0 || (w[1] != 0 && m.velocities());
-      if (!stiffness && !inertia)
-        return;
-      T *dF = F, *volume = F_rate, *flux = F; // work is taken by the interpolation
-      if (!stiffness)
-        evaluate_values(x);
-      else
-        {
-          evaluate_gradient(x, dF, inertia ? values : nullptr);
-          T moments[max_modes], dp[max_modes];
-          clear(moments, t.n_modes);
-          if (m.before != nullptr)
-            step_actions(w, tangent, dF, flux, volume, moments);
-          else
-            state_actions(w, tangent, dF, flux, volume, moments);
-          change_of_pressure(w[0], tangent + n_points * point_tangent_size(m), moments, given, dp);
-          for (int q = 0; q < n_points; ++q)
-            {
-              const T change = expand(dp, q);
-              for (int i = 0; i < 9; ++i)
-                flux[9 * q + i] += change * volume[9 * q + i];
-            }
-        }
-      if (inertia)
-        weigh_values(w[2]);
-      add_integral(stiffness ? flux : nullptr, inertia ? values : nullptr, y);
-    }
-
-    /// At fixed pressure @p flux = dP JxW, in the place of dF; @p volume = dP/dp JxW = cof F JxW; moments += int phi dJ.
-    void state_actions(const double w[3], const T *tangent, const T *dF, T *flux, T *volume, T *moments)
-    {
-      const int size    = point_tangent_size(m);
-      T        *of_laws = coefficients;
-      if (cells.n_laws > 0)
-        law_actions(w, tangent, size, dF, of_laws);
-      for (int q = 0; q < n_points; ++q)
-        {
-          T dP[9];
-          tangent_action(m, material(q), tangent + q * size, dF + 9 * q, JxW(q), w[0], w[1], dP, volume + 9 * q);
-          const T change = dot(volume + 9 * q, dF + 9 * q);
-          for (int i = 0; i < t.n_modes; ++i)
-            moments[i] += mode(q, i) * change;
-          for (int i = 0; i < 9; ++i)
-            flux[9 * q + i] = dP[i];
-          if (cells.n_laws > 0)
-            for (int i = 0; i < 9; ++i)
-              flux[9 * q + i] += of_laws[9 * q + i];
-        }
-    }
-
-    /// dP of the laws at the points, [n_points][9], times JxW.
-    void law_actions(const double w[3], const T *tangent, const int size, const T *dF, T *dP) const
-    {
-      clear(dP, 9 * n_points);
-      const LawPoints points = law_points(tangent + tangent_F, size, tangent + n_points * size + VolumeLayout(t.n_modes).size);
-      for (int i = 0; i < cells.n_laws; ++i)
-        law_kernels<isa>(cells.laws[i])
-            .action(cells.laws[i], points, law_weights(w), reinterpret_cast<const double *>(dF), reinterpret_cast<double *>(dP));
-    }
-
     void fill_matrices(const double w[3], const double *u, const double *v, T *matrices)
     {
       clear(matrices, 9 * n_nodes * n_nodes);
@@ -318,27 +220,14 @@ namespace myolines
     {
       constexpr int n = max_modes * 3 * n_nodes;
       T            *B = columns, *A = m.before != nullptr ? B + n : B;
-      fill_columns_of_state(B);
+      cofactors(F_rate);
+      fill_columns(F_rate, B);
       if (m.before != nullptr)
-        fill_columns_of_step(A);
+        {
+          volume_of_step(F_rate);
+          fill_columns(F_rate, A);
+        }
       add_rank(w, A, B, columns + 2 * n, matrices);
-    }
-
-    void fill_volume(const double *u, T *orthonormal, T *stiffness)
-    {
-      evaluate_F(u);
-      volumetric_state();
-      const int n = 3 * n_nodes;
-      T         R[max_modes * max_modes], E[max_modes * max_modes];
-      orthonormal_modes(R);
-      stiffness_of_modes(m.softened, E);
-      to_orthonormal(R, E, stiffness);
-      fill_columns_of_state(columns);
-      combine(R, columns, orthonormal, n);
-      if (m.before == nullptr)
-        return;
-      fill_columns_of_step(columns);
-      combine(R, columns, orthonormal + t.n_modes * n, n);
     }
 
     void state_coefficients(const double w[3])
@@ -390,7 +279,7 @@ namespace myolines
   constexpr Kernels make_kernels()
   {
     using Work = BatchWork<isa, n1>;
-    return {&Work::residual,         &Work::local,  &Work::advance,     &Work::linearise, &Work::apply, &Work::volume,
-            &Work::element_matrices, &Work::points, &Work::scratch_size};
+    return {&Work::residual, &Work::local,   &Work::advance,          &Work::linearise, &Work::apply,       &Work::stiffness,
+            &Work::condense, &Work::recover, &Work::element_matrices, &Work::points,    &Work::scratch_size};
   }
 } // namespace myolines

@@ -89,17 +89,18 @@ namespace myolines
     /// gradient[9 q + 3 a + J] = d x_a / d X_J, and the values if wanted ([3][n_points]).
     void evaluate_gradient(const double *x, T *gradient, T *value = nullptr)
     {
+      evaluate_unit_gradient(x, work, value);
+      for (int q = 0; q < n_points; ++q)
+        from_unit(work, q, gradient + 9 * q);
+    }
+
+    /// gradient[(3 a + A) n_points + q] = d x_a / d xi_A, and the values if wanted ([3][n_points]).
+    void evaluate_unit_gradient(const double *x, T *gradient, T *value = nullptr) const
+    {
       T nodal[3 * n_nodes];
       gather(x, nodal);
       for (int a = 0; a < 3; ++a)
-        {
-          T *reference = work; // [3][n_points]
-          interpolate<n1>(t, nodal + a * n_nodes, value ? value + a * n_points : nullptr, reference);
-          for (int q = 0; q < n_points; ++q)
-            for (int J = 0; J < 3; ++J)
-              gradient[9 * q + 3 * a + J] = reference[q] * inverse(q, J) + reference[n_points + q] * inverse(q, 3 + J) +
-                                            reference[2 * n_points + q] * inverse(q, 6 + J);
-        }
+        interpolate<n1>(t, nodal + a * n_nodes, value ? value + a * n_points : nullptr, gradient + 3 * a * n_points);
     }
 
     void evaluate_values(const double *x)
@@ -108,6 +109,17 @@ namespace myolines
       gather(x, nodal);
       for (int a = 0; a < 3; ++a)
         interpolate<n1>(t, nodal + a * n_nodes, values + a * n_points, static_cast<T *>(nullptr));
+    }
+
+    /// values *= factor rho0 JxW
+    void weigh_values(const double factor)
+    {
+      for (int q = 0; q < n_points; ++q)
+        {
+          const T weight = T(factor) * material(q)[material_density] * JxW(q);
+          for (int a = 0; a < 3; ++a)
+            values[a * n_points + q] *= weight;
+        }
     }
 
     /// And F_before and its dilatation, of a step.
@@ -237,21 +249,40 @@ namespace myolines
     }
 
     /// Adds sum_q P : Grad N_i (flux[9 q + 3 a + J] = P_aJ JxW) and sum_q N_i values (if given) to x.
-    void add_integral(T *flux, const T *value, double *x)
+    void add_integral(const T *flux, const T *value, double *x)
+    {
+      T *unit = coefficients;
+      for (int q = 0; flux != nullptr && q < n_points; ++q)
+        to_unit(flux + 9 * q, q, unit);
+      add_unit_integral(flux ? unit : nullptr, value, x);
+    }
+
+    /// The same of a flux in the directions of the unit cell, unit[(3 a + A) n_points + q] = P_aJ JxW dxi_A/dX_J.
+    void add_unit_integral(const T *unit, const T *value, double *x) const
     {
       T nodal[3 * n_nodes];
       clear(nodal, 3 * n_nodes);
-      T *reference = coefficients; // free here: tangents do not come this way
       for (int a = 0; a < 3; ++a)
-        {
-          if (flux)
-            for (int q = 0; q < n_points; ++q)
-              for (int A = 0; A < 3; ++A)
-                reference[A * n_points + q] = flux[9 * q + 3 * a] * inverse(q, 3 * A) + flux[9 * q + 3 * a + 1] * inverse(q, 3 * A + 1) +
-                                              flux[9 * q + 3 * a + 2] * inverse(q, 3 * A + 2);
-          integrate<n1>(t, value ? value + a * n_points : nullptr, flux ? reference : nullptr, nodal + a * n_nodes);
-        }
+        integrate<n1>(t, value ? value + a * n_points : nullptr, unit ? unit + 3 * a * n_points : nullptr, nodal + a * n_nodes);
       scatter(nodal, x);
+    }
+
+    /// unit[(3 a + A) n_points + q] = flux_aJ dxi_A/dX_J
+    MYOLINES_INLINE void to_unit(const T *flux, const int q, T *unit) const
+    {
+      for (int a = 0; a < 3; ++a)
+        for (int A = 0; A < 3; ++A)
+          unit[(3 * a + A) * n_points + q] =
+              flux[3 * a] * inverse(q, 3 * A) + flux[3 * a + 1] * inverse(q, 3 * A + 1) + flux[3 * a + 2] * inverse(q, 3 * A + 2);
+    }
+
+    /// gradient_aJ = d x_a / d xi_A dxi_A/dX_J at point q, of evaluate_unit_gradient().
+    MYOLINES_INLINE void from_unit(const T *unit, const int q, T *gradient) const
+    {
+      for (int a = 0; a < 3; ++a)
+        for (int J = 0; J < 3; ++J)
+          gradient[3 * a + J] = unit[3 * a * n_points + q] * inverse(q, J) + unit[(3 * a + 1) * n_points + q] * inverse(q, 3 + J) +
+                                unit[(3 * a + 2) * n_points + q] * inverse(q, 6 + J);
     }
 
     const KernelTables &t;

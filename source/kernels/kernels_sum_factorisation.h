@@ -3,6 +3,8 @@
 
 #include <myolines/kernels/kernels.h>
 
+#include <type_traits>
+
 namespace myolines
 {
   // Tensor-product interpolation between the nodes of a cell and its Gauss points, one direction after the other.
@@ -13,11 +15,21 @@ namespace myolines
 
   constexpr int max_points_1d = 6;
 
-  /// value[q] += sum_i N_i(q) u_i (if wanted), gradient[A][q] = sum_i dN_i/dxi_A(q) u_i (if wanted).
-  template <int n1, typename T>
-  void interpolate(const KernelTables &t, const T *u, T *value, T *gradient)
+  /// sum(number of points per direction) with a constant where it is that of the nodes, so that loops over points are unrolled.
+  template <int n1, typename Sum>
+  MYOLINES_INLINE void with_points(const KernelTables &t, const Sum &sum)
   {
-    const int n = t.n_points_1d, nq = n * n * n;
+    if (t.n_points_1d == n1)
+      sum(std::integral_constant<int, n1>());
+    else
+      sum(t.n_points_1d);
+  }
+
+  /// value[q] += sum_i N_i(q) u_i (if wanted), gradient[A][q] = sum_i dN_i/dxi_A(q) u_i (if wanted).
+  template <int n1, typename T, typename Points>
+  MYOLINES_INLINE void interpolate(const KernelTables &t, const Points points, const T *u, T *value, T *gradient)
+  {
+    const int n = points, nq = n * n * n;
     T         x_value[max_points_1d * n1 * n1], x_slope[max_points_1d * n1 * n1];
     for (int jk = 0; jk < n1 * n1; ++jk)
       for (int q = 0; q < n; ++q)
@@ -76,12 +88,18 @@ namespace myolines
         }
   }
 
-  /// The transpose: u_i += sum_q N_i(q) value[q] (if given) + sum_A dN_i/dxi_A(q) gradient[A][q] (if given).
   template <int n1, typename T>
-  void integrate(const KernelTables &t, const T *value, const T *gradient, T *u)
+  void interpolate(const KernelTables &t, const T *u, T *value, T *gradient)
+  {
+    with_points<n1>(t, [&](const auto points) MYOLINES_INLINED { interpolate<n1>(t, points, u, value, gradient); });
+  }
+
+  /// The transpose: u_i += sum_q N_i(q) value[q] (if given) + sum_A dN_i/dxi_A(q) gradient[A][q] (if given).
+  template <int n1, typename T, typename Points>
+  MYOLINES_INLINE void integrate(const KernelTables &t, const Points points, const T *value, const T *gradient, T *u)
   {
     // The loops of interpolate() backwards: z first, x last.
-    const int n = t.n_points_1d, nq = n * n * n;
+    const int n = points, nq = n * n * n;
     T         vv[max_points_1d * max_points_1d * n1], dv[max_points_1d * max_points_1d * n1], vd[max_points_1d * max_points_1d * n1];
     for (int k = 0; k < n1; ++k)
       for (int pq = 0; pq < n * n; ++pq)
@@ -127,6 +145,12 @@ namespace myolines
             s += T(t.value[p * n1 + i]) * x_value[jk * n + p] + T(t.derivative[p * n1 + i]) * x_slope[jk * n + p];
           u[jk * n1 + i] += s;
         }
+  }
+
+  template <int n1, typename T>
+  void integrate(const KernelTables &t, const T *value, const T *gradient, T *u)
+  {
+    with_points<n1>(t, [&](const auto points) MYOLINES_INLINED { integrate<n1>(t, points, value, gradient, u); });
   }
 
   /// matrix[i][j] += sum_q sum_AB dN_i/dxi_A(q) c[3 A + B][q] dN_j/dxi_B(q) + sum_q N_i m[q] N_j (if m given): all pairs of

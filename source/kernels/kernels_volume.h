@@ -251,34 +251,8 @@ namespace myolines
       D_t[0] = select(admissible > T(0.), D_t[0], T(std::numeric_limits<double>::quiet_NaN()));
     }
 
-    /// @p dp [n_modes] of the moments int phi cof F : dF, times w; where one is given, that, and the rows of its equation.
-    void change_of_pressure(const double w, const T *behind, const T *moments, const KernelPressure *given, T *dp) const
-    {
-      const VolumeLayout layout(t.n_modes);
-      const int          n = t.n_modes;
-      if (given != nullptr)
-        {
-          const T *R = behind + layout.orthonormal, *C = behind + layout.compliance, *z = reinterpret_cast<const T *>(given->dp);
-          T       *rows = reinterpret_cast<T *>(given->rows);
-          from_orthonormal(R, z, dp);
-          moments_to_orthonormal(R, moments, rows);
-          for (int i = 0; i < n; ++i)
-            {
-              dp[i] *= T(w);
-              for (int j = 0; j < n; ++j)
-                rows[i] -= C[i * n + j] * z[j];
-            }
-          return;
-        }
-      clear(dp, n);
-      const T *S = behind + (m.softened ? layout.softened : layout.stiffness);
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          dp[i] += T(w) * S[i * n + j] * moments[j];
-    }
-
-    /// columns_m(n, b) = int phi_m field_b : Grad N_n with field_bJ JxW at [q * stride + 3 b + J], [mode][component][node].
-    void fill_columns(const T *field, const int stride, T *columns)
+    /// columns_m(n, b) = int phi_m field_b : Grad N_n with field_bJ JxW at [9 q + 3 b + J], [mode][component][node].
+    void fill_columns(const T *field, T *columns)
     {
       const int n = 3 * n_nodes;
       clear(columns, t.n_modes * n);
@@ -288,7 +262,7 @@ namespace myolines
           {
             for (int q = 0; q < n_points; ++q)
               {
-                const T *at = field + q * stride + 3 * b;
+                const T *at = field + 9 * q + 3 * b;
                 for (int A = 0; A < 3; ++A)
                   reference[A * n_points + q] =
                       mode(q, i) * (at[0] * inverse(q, 3 * A) + at[1] * inverse(q, 3 * A + 1) + at[2] * inverse(q, 3 * A + 2));
@@ -297,18 +271,15 @@ namespace myolines
           }
     }
 
-    /// B_m(n, b) = int phi_m cof F : Grad N_n e_b; overwrites F_rate.
-    void fill_columns_of_state(T *B)
+    /// cof F JxW, [n_points][9].
+    void cofactors(T *cof) const
     {
-      T *cofactor = F_rate;
       for (int q = 0; q < n_points; ++q)
         {
-          const Kinematics<T> k(F + 9 * q);
-          const T             weight = JxW(q) * k.J;
+          const Mat3<T> at = JxW(q) * cofactor(Mat3<T>::load(F + 9 * q));
           for (int i = 0; i < 9; ++i)
-            cofactor[9 * q + i] = weight * k.H[i];
+            cof[9 * q + i] = at.entry[i];
         }
-      fill_columns(cofactor, 9, B);
     }
 
     /// AB for [n_modes][n_modes] and [n_modes][n].

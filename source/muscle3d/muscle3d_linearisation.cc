@@ -33,7 +33,6 @@ namespace myolines
     , ledger_(ledger)
     , u_(discretisation.space->make_vector())
     , v_(u_)
-    , before_(u_)
   {}
 
   void Muscle3dLinearisation::refill(const Point &point, const Activation &activation)
@@ -55,18 +54,10 @@ namespace myolines
     local_ = point.local != nullptr ? *point.local : LocalUnknowns();
     if (surface_.any())
       find_faces(point);
-    current_ = false;
-    stored_  = false;
+    current_          = false;
+    tangents_.current = false;
     ledger_.count("linearisations");
   }
-
-  namespace
-  {
-    std::size_t tangent_size(const CellSweep &sweep, const KernelModel &model)
-    {
-      return myolines::tangent_size(sweep.element.n_points, sweep.element.n_modes, model);
-    }
-  } // namespace
 
   void Muscle3dLinearisation::find_faces(const Point &point)
   {
@@ -123,26 +114,41 @@ namespace myolines
     return with_local(sweep.cells(b), local_.any() ? &local_ : nullptr, std::size_t(2) * b * sweep.element.n_modes * n_lanes);
   }
 
-  void Muscle3dLinearisation::store(const CellSweep &sweep, Tangents &tangents) const
+  void Muscle3dLinearisation::store(const CellSweep &sweep, const bool exact, Tangents &tangents) const
   {
-    const std::size_t size = tangent_size(sweep, model_);
-    tangents.resize(size * sweep.batches.n_owned_batches());
-    for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
-      discretisation_.kernels.linearise(sweep.tables, model_, cells(sweep, b), u_.begin(), v_.begin(), &tangents[b * size],
+    if (tangents.current)
+      return;
+    const unsigned int n_batches = sweep.batches.n_owned_batches();
+    tangents.current             = true;
+    tangents.size                = tangent_size(sweep.element.n_points, model_);
+    tangents.volume_size         = std::size_t(VolumeLayout(sweep.element.n_modes).size) * n_lanes;
+    tangents.high.resize(n_batches * tangents.size);
+    tangents.low.resize(exact ? n_batches * tangents.size : 0);
+    tangents.volume.resize(n_batches * tangents.volume_size);
+    for (unsigned int b = 0; b < n_batches; ++b)
+      discretisation_.kernels.linearise(sweep.tables, model_, cells(sweep, b), u_.begin(), v_.begin(), &tangents.high[b * tangents.size],
+                                        exact ? &tangents.low[b * tangents.size] : nullptr, &tangents.volume[b * tangents.volume_size],
                                         discretisation_.scratch());
     ledger_.count("stored tangents");
     count_terms(model_, "stored tangent", ledger_);
   }
 
-  void Muscle3dLinearisation::apply(const CellSweep &sweep, const Tangents &tangents, const KernelModel &model, const Weights &w,
-                                    const Vector &x, Vector &y) const
+  KernelTangent Muscle3dLinearisation::tangent(const Tangents &tangents, const unsigned int batch, const bool exact) const
   {
-    const double      k[3] = {w.u, w.v, w.a};
-    const std::size_t size = tangents.empty() ? 0 : tangent_size(sweep, model);
+    const std::size_t at   = batch * tangents.size;
+    const bool        lean = lean_ && &tangents == &lean_->tangents;
+    return {(lean ? lean_->u : u_).begin(), (lean ? lean_->v : v_).begin(), tangents.high.data() + at,
+            exact ? tangents.low.data() + at : nullptr, tangents.volume_of(batch)};
+  }
+
+  void Muscle3dLinearisation::apply(const CellSweep &sweep, const Tangents &tangents, const bool exact, const KernelModel &model,
+                                    const Weights &w, const Vector &x, Vector &y) const
+  {
+    const double k[3] = {w.u, w.v, w.a};
     y.zero_out_ghost_values();
     y = 0;
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
-      discretisation_.kernels.apply(sweep.tables, model, sweep.cells(b), k, tangents.data() + b * size, x.begin(), y.begin(), nullptr,
+      discretisation_.kernels.apply(sweep.tables, model, sweep.cells(b), k, tangent(tangents, b, exact), x.begin(), y.begin(), nullptr,
                                     discretisation_.scratch());
     if (w.u != 0 || w.v != 0)
       add_faces(w, x, y);
@@ -156,15 +162,8 @@ namespace myolines
     const Weights      &w = weights[2];
     if (w.u != 0 || (w.v != 0 && model_.velocities()))
       store_tangents();
-    apply(discretisation_.sweep(materials_), tangents_, model_, w, current.vector(), y);
+    apply(discretisation_.sweep(materials_), tangents_, true, model_, w, current.vector(), y);
     ledger_.count("tangent actions");
-  }
-
-  void Muscle3dLinearisation::store_tangents() const
-  {
-    if (!stored_)
-      store(discretisation_.sweep(materials_), tangents_);
-    stored_ = true;
   }
 
   template <typename Consumer>
@@ -256,16 +255,22 @@ namespace myolines
     for_each_matrix(lean_sweep(), model(softened), w, [&](const unsigned int b, double *matrices) { stars_->add(b, matrices); });
     stars_->finish();
     if (lean_)
-      store(lean_sweep(), lean_->tangents);
-    if (lean_ || softened)
-      two_level_->action = [this, w, model = model(softened)](const Vector &x, Vector &y) {
-        if (!lean_)
+      {
+        lean_->u                = u_;
+        lean_->v                = v_;
+        lean_->tangents.current = false;
+        store(lean_sweep(), false, lean_->tangents);
+      }
+    two_level_->action = [this, w, softened, model = model(softened)](const Vector &x, Vector &y) {
+      if (lean_)
+        apply(lean_sweep(), lean_->tangents, false, model, w, x, y);
+      else
+        {
           store_tangents();
-        apply(lean_sweep(), lean_ ? lean_->tangents : tangents_, model, w, x, y);
-        ledger_.count(lean_ ? "lean tangent actions" : "tangent actions");
-      };
-    else
-      two_level_->action = {};
+          apply(lean_sweep(), tangents_, false, this->model(softened), w, x, y);
+        }
+      ledger_.count(lean_ ? "lean tangent actions" : "smoother actions");
+    };
     return two_level_.get();
   }
 } // namespace myolines

@@ -46,12 +46,21 @@ namespace myolines
     std::unique_ptr<Elimination> eliminate(bool softened) const override;
 
   private:
-    /// Tangents of the owned batches, for actions.
-    using Tangents = LargeArray<double>;
-    void store(const CellSweep &sweep, Tangents &tangents) const;
-    void store_tangents() const; ///< unless they are
-    void apply(const CellSweep &sweep, const Tangents &tangents, const KernelModel &model, const Weights &weights, const Vector &x,
-               Vector &y) const;
+    /// Tangents of the owned batches, for actions. Those of preconditioners need no second numbers (KernelTangent).
+    struct Tangents
+    {
+      LargeArray<float>  high, low;
+      LargeArray<double> volume;
+      std::size_t        size = 0, volume_size = 0; ///< of a batch
+      bool               current = false;           ///< whether they are those of the state
+
+      const double *volume_of(const unsigned int b) const { return volume.data() + b * volume_size; }
+    };
+    void          store(const CellSweep &sweep, bool exact, Tangents &tangents) const; ///< unless they are
+    void          store_tangents() const { store(discretisation_.sweep(materials_), true, tangents_); }
+    KernelTangent tangent(const Tangents &tangents, unsigned int batch, bool exact = true) const;
+    void          apply(const CellSweep &sweep, const Tangents &tangents, bool exact, const KernelModel &model, const Weights &weights,
+                        const Vector &x, Vector &y) const;
     const SparseMatrix &assemble(const WeightsByOrder &weights, bool softened);
     KernelModel         model(bool softened) const;
 
@@ -77,6 +86,7 @@ namespace myolines
       const Element        element;
       const CellBatches    batches;
       const PointMaterials materials;
+      Vector               u, v; ///< the state of the patches
       Tangents             tangents;
     };
     CellSweep lean_sweep() const;
@@ -100,7 +110,6 @@ namespace myolines
     std::unique_ptr<LeanCells>                         lean_; ///< none if the quadrature is lean already
     std::unique_ptr<VertexStars>                       stars_;
     std::unique_ptr<TwoLevel>                          two_level_;
-    mutable Tangents                                   tangents_; ///< at this state, if stored_
-    mutable bool                                       stored_ = false;
+    mutable Tangents                                   tangents_;
   };
 } // namespace myolines

@@ -93,15 +93,14 @@ namespace myolines
     const double row      = 3 * std::pow(2 * k + 1, 3); // most entries of a row of a regular mesh
     const double mesh     = 2000;                       // bytes of a cell in mesh and numbering, measured
 
-    const double points = std::pow(parameters.n_points, 3);
-    const double star   = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
-    const double tangents =
-        ((parameters.force_velocity() ? tangent_size_rate : tangent_size_0) + (parameters.viscous() ? 9 : 0)) * sizeof(double) * own;
+    const double points   = std::pow(parameters.n_points, 3);
+    const double star     = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
+    const double tangents = (parameters.force_velocity() ? tangent_size_rate : tangent_size_0) * sizeof(float) * own; // of a point
 
     sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
-    sizes.bytes        = 20 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
-    // The volume of each cell beside its points, and the columns of its equation that the elimination of the pressure keeps.
-    sizes.tangent_bytes = points * tangents + own * (VolumeLayout(static_cast<int>(modes)).size + 3 * nodes * modes) * sizeof(double);
+    sizes.bytes        = 21 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
+    // Two numbers in single precision for one, the volume of each cell, and the stiffness that the elimination of the pressure keeps.
+    sizes.tangent_bytes = points * 2 * tangents + own * (VolumeLayout(static_cast<int>(modes)).size + modes * modes) * sizeof(double);
     if (k > 1)
       {
         const double entry  = widest_instruction_set() == InstructionSet::baseline ? sizeof(float) : sizeof(float) / 2.;

@@ -13,6 +13,8 @@ namespace myolines
   {
     using Eight = Lanes<InstructionSet::baseline>; // what every processor does at once; memory is slower
 
+    constexpr std::size_t piece = 2048; ///< entries that stay in the nearest cache
+
     Eight       &eight(double *x) { return *reinterpret_cast<Eight *>(x); }
     const Eight &eight(const double *x) { return *reinterpret_cast<const Eight *>(x); }
 
@@ -65,7 +67,7 @@ namespace myolines
   } // namespace
 
   KrylovVectors::KrylovVectors(double *entries, const std::size_t n_entries, const MPI_Comm communicator)
-    : layout_{n_entries, 0, communicator, nullptr}
+    : layout_{n_entries, 0, communicator, nullptr, std::make_shared<std::vector<LargeArray<double>>>()}
   {
     int rank = 0;
     MPI_Comm_rank(communicator, &rank);
@@ -97,24 +99,61 @@ namespace myolines
   {
     if (column.entries == nullptr)
       {
-        column.wide    = LargeArray<double>(layout_.n);
+        column.wide    = take();
         column.entries = column.wide.data();
         if (keep && !column.narrow.empty())
           std::copy(column.narrow.begin(), column.narrow.end(), column.entries);
+        else if (keep)
+          std::fill_n(column.entries, layout_.n, 0.);
         column.narrow = LargeArray<float>();
       }
     return column.entries;
   }
 
-  /// The entries of @p column; those that are not kept as doubles are put into @p room.
-  const double *KrylovVectors::readable(const Column &column, std::vector<double> &room) const
+  LargeArray<double> KrylovVectors::take() const
   {
-    if (column.entries != nullptr)
-      return column.entries;
-    room.assign(layout_.n, 0.);
-    std::copy(column.narrow.begin(), column.narrow.end(), room.begin());
-    return room.data();
+    if (layout_.spare->empty())
+      return LargeArray<double>(layout_.n);
+    LargeArray<double> array = std::move(layout_.spare->back());
+    layout_.spare->pop_back();
+    return array;
   }
+
+  void KrylovVectors::give_back(LargeArray<double> &array) const
+  {
+    if (!array.empty())
+      layout_.spare->push_back(std::move(array));
+    array = LargeArray<double>();
+  }
+
+  /// Entries of a column as doubles, in room of its own where they are not kept so.
+  class KrylovVectors::Readable
+  {
+  public:
+    Readable(const KrylovVectors &vectors, const Column &column)
+      : vectors_(vectors)
+      , entries_(column.entries)
+    {
+      if (entries_ != nullptr)
+        return;
+      room_ = vectors_.take();
+      if (column.narrow.empty())
+        std::fill(room_.begin(), room_.end(), 0.);
+      else
+        std::copy(column.narrow.begin(), column.narrow.end(), room_.begin());
+      entries_ = room_.data();
+    }
+    ~Readable() { vectors_.give_back(room_); }
+    Readable(const Readable &)            = delete;
+    Readable &operator=(const Readable &) = delete;
+
+    const double *begin() const { return entries_; }
+
+  private:
+    const KrylovVectors &vectors_;
+    LargeArray<double>   room_;
+    const double        *entries_;
+  };
 
   /// Somebody else's entries stay as they are.
   void KrylovVectors::round(Column &column) const
@@ -124,30 +163,38 @@ namespace myolines
     column.narrow = LargeArray<float>(layout_.n);
     std::transform(column.wide.begin(), column.wide.end(), column.narrow.begin(),
                    [](const double entry) { return static_cast<float>(entry); });
-    column.wide    = LargeArray<double>();
     column.entries = nullptr;
+    give_back(column.wide);
   }
 
   void KrylovVectors::set(const KrylovVectors &x, const std::function<void(const double *, double *)> &action, const bool round_operand,
                           const bool round_result)
   {
-    std::vector<double> room;
     for (std::size_t j = 0; j < columns_.size(); ++j)
       {
         if (round_operand)
           round(*x.columns_.at(j));
-        action(readable(*x.columns_.at(j), room), writable(*columns_[j], false));
+        const Readable operand(x, *x.columns_.at(j));
+        action(operand.begin(), writable(*columns_[j], false));
         if (round_result)
           round(*columns_[j]);
       }
   }
 
-  double KrylovVectors::dot(const Column &x, const Column &y) const
+  /// Piece by piece, each of which stays in the cache while many x are multiplied by it.
+  void KrylovVectors::dot(const std::vector<const Column *> &x, const Column &y, double *products) const
   {
-    if (x.entries == nullptr && y.entries != nullptr)
-      return x.narrow.empty() ? 0 : dot_entries(layout_.n, x.narrow.data(), y.entries);
-    std::vector<double> room_x, room_y;
-    return dot_entries(layout_.n, readable(x, room_x), readable(y, room_y));
+    std::fill_n(products, x.size(), 0.);
+    const Readable entries(*this, y);
+    for (std::size_t begin = 0; begin < layout_.n; begin += piece)
+      for (std::size_t i = 0; i < x.size(); ++i)
+        {
+          const std::size_t n = std::min(piece, layout_.n - begin);
+          if (x[i]->entries != nullptr)
+            products[i] += dot_entries(n, x[i]->entries + begin, entries.begin() + begin);
+          else if (!x[i]->narrow.empty())
+            products[i] += dot_entries(n, x[i]->narrow.data() + begin, entries.begin() + begin);
+        }
   }
 
   std::size_t KrylovVectors::memory() const
@@ -179,8 +226,7 @@ namespace myolines
   /// What many vectors add to one is summed piece by piece, each of which stays in the cache.
   void KrylovVectors::MvTimesMatAddMv(const double alpha, const MultiVec<double> &A, const Matrix &B, const double beta)
   {
-    constexpr std::size_t piece = 2048;
-    const auto           &from  = ours(A).columns_;
+    const auto &from = ours(A).columns_;
     MvScale(beta);
     for (std::size_t j = 0; j < columns_.size(); ++j)
       {
@@ -200,11 +246,11 @@ namespace myolines
 
   void KrylovVectors::MvAddMv(const double alpha, const MultiVec<double> &A, const double beta, const MultiVec<double> &B)
   {
-    std::vector<double> room_a, room_b;
     for (std::size_t j = 0; j < columns_.size(); ++j)
       {
-        const double *a = readable(*ours(A).columns_.at(j), room_a), *b = readable(*ours(B).columns_.at(j), room_b);
-        double       *to = writable(*columns_[j], true); // it may be one of them
+        const Readable of_A(*this, *ours(A).columns_.at(j)), of_B(*this, *ours(B).columns_.at(j));
+        const double  *a = of_A.begin(), *b = of_B.begin();
+        double        *to = writable(*columns_[j], true); // it may be one of them
         if (beta == 0)
           for (std::size_t i = 0; i < layout_.n; ++i)
             to[i] = alpha * a[i];
@@ -240,11 +286,13 @@ namespace myolines
 
   void KrylovVectors::MvTransMv(const double alpha, const MultiVec<double> &A, Matrix &B) const
   {
-    const int           rows = ours(A).GetNumberVecs(), columns = GetNumberVecs();
-    std::vector<double> products;
+    const int                   rows = ours(A).GetNumberVecs(), columns = GetNumberVecs();
+    std::vector<double>         products(std::size_t(rows) * columns);
+    std::vector<const Column *> from;
+    for (const auto &column : ours(A).columns_)
+      from.push_back(column.get());
     for (int j = 0; j < columns; ++j)
-      for (int i = 0; i < rows; ++i)
-        products.push_back(dot(*ours(A).columns_[i], *columns_[j]));
+      dot(from, *columns_[j], products.data() + j * rows);
     sum(products.data(), rows * columns);
     for (int j = 0; j < columns; ++j)
       for (int i = 0; i < rows; ++i)
@@ -255,7 +303,7 @@ namespace myolines
   {
     b.resize(std::max(b.size(), columns_.size()));
     for (std::size_t j = 0; j < columns_.size(); ++j)
-      b[j] = dot(*ours(A).columns_.at(j), *columns_[j]);
+      dot({ours(A).columns_.at(j).get()}, *columns_[j], &b[j]);
     sum(b.data(), GetNumberVecs());
   }
 
@@ -268,11 +316,11 @@ namespace myolines
           norms[j] = std::sqrt(norms[j]);
         return;
       }
-    std::vector<double> room;
     norms.assign(std::max(norms.size(), columns_.size()), 0.);
     for (std::size_t j = 0; j < columns_.size(); ++j)
       {
-        const double *x = readable(*columns_[j], room);
+        const Readable entries(*this, *columns_[j]);
+        const double  *x = entries.begin();
         for (std::size_t i = 0; i < layout_.n; ++i)
           norms[j] = type == Belos::OneNorm ? norms[j] + std::abs(x[i]) : std::max(norms[j], std::abs(x[i]));
       }

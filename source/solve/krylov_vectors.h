@@ -61,6 +61,9 @@ namespace myolines
       ptrdiff_t                         n_global;
       MPI_Comm                          communicator;
       std::shared_ptr<std::minstd_rand> random; ///< begins alike in every run
+
+      /// Arrays that were written and are not needed: fresh memory costs more than a vector operation.
+      std::shared_ptr<std::vector<LargeArray<double>>> spare;
     };
     struct Column
     {
@@ -72,11 +75,14 @@ namespace myolines
     KrylovVectors(const Layout &layout, int n_vectors);
     KrylovVectors *chosen(const std::vector<int> &index) const; ///< that share these columns
 
-    double       *writable(Column &column, bool keep) const; ///< with what it held if @p keep, else what is there is undefined
-    const double *readable(const Column &column, std::vector<double> &room) const;
-    void          round(Column &column) const;
-    double        dot(const Column &x, const Column &y) const; ///< over the entries of this rank
-    void          sum(double *values, int n) const;            ///< over ranks
+    class Readable;
+
+    LargeArray<double> take() const; ///< entries are undefined
+    void               give_back(LargeArray<double> &array) const;
+    double            *writable(Column &column, bool keep) const; ///< with what it held if @p keep, else what is there is undefined
+    void               round(Column &column) const;
+    void dot(const std::vector<const Column *> &x, const Column &y, double *products) const; ///< over the entries of this rank
+    void sum(double *values, int n) const;                                                   ///< over ranks
 
     Layout                               layout_;
     std::vector<std::shared_ptr<Column>> columns_;

@@ -93,15 +93,11 @@ namespace myolines
 #endif
       }
 
-      /// y = J x of the patches, the lean one where there is one.
+      /// y = J x of the patches.
       void act(const Vector &x, Vector &y) const
       {
-        if (!levels_->action)
-          {
-            tangent_->apply(x, y);
-            return;
-          }
-        const FreeUnknowns &free = tangent_->free_unknowns();
+        const WorkLedger::Timer timer(ledger_, "smoother action");
+        const FreeUnknowns     &free = tangent_->free_unknowns();
         if (free.related())
           {
             all_ = x;

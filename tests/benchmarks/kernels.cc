@@ -69,23 +69,32 @@ namespace myolines
       });
     }
 
-    void tangent_action(benchmark::State &state)
+    void apply(benchmark::State &state, const bool exact)
     {
       const auto set = static_cast<InstructionSet>(state.range(2));
       if (!available(state, set))
         return;
       Bench                         s(state.range(0), state.range(1), set);
-      const double                  w[3] = {1, 40, 1600};
-      const std::size_t             size = tangent_size(s.d.element.n_points, s.d.element.n_modes, s.model);
-      dealii::AlignedVector<double> tangent(size * s.d.batches->n_owned_batches());
-      for (unsigned int b = 0; b < s.d.batches->n_owned_batches(); ++b)
-        s.d.kernels.linearise(s.d.tables, s.model, s.sweep.cells(b), s.u.begin(), s.v.begin(), &tangent[b * size], s.d.scratch());
+      const double                  w[3]      = {1, 40, 1600};
+      const unsigned int            n         = s.d.batches->n_owned_batches();
+      const std::size_t             size      = tangent_size(s.d.element.n_points, s.model);
+      const std::size_t             of_volume = std::size_t(VolumeLayout(s.d.element.n_modes).size) * n_lanes;
+      dealii::AlignedVector<float>  high(n * size), low(n * size);
+      dealii::AlignedVector<double> volume(n * of_volume);
+      const auto                    tangent = [&](const unsigned int b) {
+        return KernelTangent{s.u.begin(), s.v.begin(), &high[b * size], exact ? &low[b * size] : nullptr, &volume[b * of_volume]};
+      };
+      for (unsigned int b = 0; b < n; ++b)
+        s.d.kernels.linearise(s.d.tables, s.model, s.sweep.cells(b), s.u.begin(), s.v.begin(), &high[b * size], &low[b * size],
+                              &volume[b * of_volume], s.d.scratch());
       unsigned int b = 0;
       s.measure(state, [&](const KernelCells &cells) {
-        const std::size_t at = size * (b++ % s.d.batches->n_owned_batches());
-        s.d.kernels.apply(s.d.tables, s.model, cells, w, &tangent[at], s.a.begin(), s.r.begin(), nullptr, s.d.scratch());
+        s.d.kernels.apply(s.d.tables, s.model, cells, w, tangent(b++ % n), s.a.begin(), s.r.begin(), nullptr, s.d.scratch());
       });
     }
+
+    void tangent_action(benchmark::State &state) { apply(state, true); }
+    void smoother_action(benchmark::State &state) { apply(state, false); }
 
     void element_matrices(benchmark::State &state)
     {
@@ -110,6 +119,7 @@ namespace myolines
 
     BENCHMARK(residual)->Apply(arguments);
     BENCHMARK(tangent_action)->Apply(arguments);
+    BENCHMARK(smoother_action)->Apply(arguments);
     BENCHMARK(element_matrices)->Apply(arguments);
   } // namespace
 } // namespace myolines

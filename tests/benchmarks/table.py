@@ -15,7 +15,7 @@ from block import ENVIRONMENT, block, cells, run, unknowns
 COUNTS = ["Newton per step", "Krylov per Newton", "set-ups", "residuals per step"]
 COSTS = ["CPU per step [s]", "wall clock per step [s]", "set-up [s]", "element matrices [us/cell]", "application [ms]", "tangent action [10^6/s]",
          "memory per rank [MB]", "per unknown [B]", "triad [GB/s]"]
-PHASES = [what + " [%]" for what in ("tangent actions", "Schwarz", "coarse solves", "rest of the linear solves", "set-ups", "residuals", "outputs", "all else")]
+PHASES = [what + " [%]" for what in ("tangent actions", "smoother actions", "Schwarz", "coarse solves", "rest of the linear solves", "set-ups", "residuals", "outputs", "all else")]
 
 
 def counts(cost):
@@ -36,7 +36,7 @@ def costs(cost, refinement, ranks, smallest, triad):
 def phases(cost):
     """Percent of the wall clock; what other phases contain is taken off them."""
     s = cost.second
-    parts = [s("tangent action"), s("schwarz"), s("coarse solve")]
+    parts = [s("tangent action"), s("smoother action"), s("schwarz"), s("coarse solve")]
     parts += [s("linear solve") - sum(parts), s("preconditioner"), s("residual"), s("output series") + s("checkpoint")]
     return [f"{100 * part / cost.wall:.0f}" for part in parts + [cost.wall - sum(parts)]]
 

@@ -36,6 +36,7 @@ namespace myolines
     static constexpr int width   = bytes / sizeof(Real) < n ? bytes / sizeof(Real) : n; ///< numbers in one register
     static constexpr int n_parts = n / width;                                           ///< registers for all numbers
     typedef Real         Vec __attribute__((vector_size(width * sizeof(Real))));        ///< One register of numbers.
+    typedef float        Narrow __attribute__((vector_size(width * sizeof(float))));    ///< As many numbers in single precision.
     using Integer = std::conditional_t<sizeof(Real) == 8, long, int>;                   ///< The integer as wide as a Real.
     typedef Integer Bits __attribute__((vector_size(width * sizeof(Real)))); ///< One register of truth values: all bits set, or none.
     /// The result of a comparison, lane by lane.
@@ -54,6 +55,25 @@ namespace myolines
     }
     MYOLINES_INLINE Real operator[](const int lane) const { return part[lane / width][lane % width]; } ///< The number of a lane.
     MYOLINES_INLINE void set(const int lane, const Real x) { part[lane / width][lane % width] = x; }   ///< Puts a number into a lane.
+
+    /// Of numbers in single precision, one per lane.
+    static MYOLINES_INLINE Lanes widened(const float *from)
+    {
+      return each([&](const int p) {
+        Narrow x;
+        __builtin_memcpy(&x, from + p * width, sizeof(x));
+        return __builtin_convertvector(x, Vec);
+      });
+    }
+    /// Writes them rounded to single precision.
+    MYOLINES_INLINE void round_to(float *to) const
+    {
+      for (int p = 0; p < n_parts; ++p)
+        {
+          const Narrow x = __builtin_convertvector(part[p], Narrow);
+          __builtin_memcpy(to + p * width, &x, sizeof(x));
+        }
+    }
 
     ///@{
     /// Arithmetic and comparisons, lane by lane.

@@ -81,21 +81,20 @@ namespace myolines
     n_point_values     = 27  ///< fields of lanes at a point
   };
 
-  /// The tangent at a Gauss point, compactly: F and a few products of stress derivatives with w = weight det(dX/dxi); the
-  /// entries from tangent_C on only if the stress depends on the strain rate. Fields of lanes.
+  /// The tangent at a Gauss point, compactly, beside F, which actions find again from the displacement: a few products of stress
+  /// derivatives with w = weight det(dX/dxi); the entries from tangent_C on only if the stress depends on the strain rate. Fields of lanes.
   enum TangentValue
   {
-    tangent_F         = 0,  ///< 9: deformation gradient
-    tangent_p         = 9,  ///< p_h J w
-    tangent_psi1      = 10, ///< dPsi/dI1 w
-    tangent_psi2      = 11, ///< d2Psi/dI1^2 w
-    tangent_power     = 12, ///< J^(-2/3)
-    tangent_g         = 13, ///< g lam w
-    tangent_stretch   = 14, ///< dg/dlam lam^2 w
-    tangent_size_0    = 15, ///< fields of a point without strain rate
-    tangent_C         = 15, ///< dg/d(lam-dot) lam^2 w
-    tangent_rate      = 16, ///< 9: dg/d(lam-dot) lam w (L : Fdot)
-    tangent_size_rate = 25  ///< fields of a point with it
+    tangent_p         = 0, ///< p_h J w
+    tangent_psi1      = 1, ///< dPsi/dI1 w
+    tangent_psi2      = 2, ///< d2Psi/dI1^2 w
+    tangent_power     = 3, ///< J^(-2/3)
+    tangent_g         = 4, ///< g lam w
+    tangent_stretch   = 5, ///< dg/dlam lam^2 w
+    tangent_size_0    = 6, ///< fields of a point without strain rate
+    tangent_C         = 6, ///< dg/d(lam-dot) lam^2 w
+    tangent_rate      = 7, ///< 9: dg/d(lam-dot) lam w (L : Fdot)
+    tangent_size_rate = 16 ///< fields of a point with it
   };
 
   /// The tangent of a step at a Gauss point, derivatives of its stress without the volumetric rank, times w. Fields of lanes.
@@ -115,7 +114,7 @@ namespace myolines
     return model.rate ? tangent_size_rate : tangent_size_0;
   }
 
-  /// The volume in the tangent of a batch, behind its points. S is M_p^(-1) [int Psi_vol'' phi phi^T] M_p^(-1), phi the modes and M_p their
+  /// The volume in the tangent of a batch. S is M_p^(-1) [int Psi_vol'' phi phi^T] M_p^(-1), phi the modes and M_p their
   /// mass; the orthonormal modes are R phi. The linearised equation of the pressure is B du - C dp + g = 0, with dp in the orthonormal
   /// modes. In a step Psi_vol'' is the derivative of the secant of Psi_vol by the dilatation at the end.
   struct VolumeLayout
@@ -139,12 +138,22 @@ namespace myolines
     int size;        ///< lanes of all
   };
 
-  /// Doubles of the tangent of one batch: the points, then the volume, then Fdot of the points if laws of a state need it.
-  inline std::size_t tangent_size(const int n_points, const int n_modes, const KernelModel &model)
+  /// Numbers of the points in the tangent of one batch.
+  inline std::size_t tangent_size(const int n_points, const KernelModel &model)
   {
-    const int of_laws = model.before == nullptr && model.viscous ? 9 : 0;
-    return std::size_t(n_lanes) * (n_points * (point_tangent_size(model) + of_laws) + VolumeLayout(n_modes).size);
+    return std::size_t(n_lanes) * n_points * point_tangent_size(model);
   }
+
+  /// What actions read of the tangent of a batch. A number of a point is the sum of two in single precision, which leaves it 48 bits. What
+  /// need not be exact, as preconditioners, does with the first.
+  struct KernelTangent
+  {
+    const double *u;      ///< local array of the displacement
+    const double *v;      ///< and of the velocity
+    const float  *high;   ///< [n_points][point_tangent_size()] lanes
+    const float  *low;    ///< the same, or nullptr
+    const double *volume; ///< VolumeLayout
+  };
 
   /// A change of pressure that is given to an action, and the rows of its equation.
   struct KernelPressure
@@ -171,19 +180,25 @@ namespace myolines
     void (*advance)(const KernelTables &, const KernelModel &, const KernelCells &, const double *dp, const double *trial_u, double alpha,
                     double *trial_z, double *scratch);
 
-    /// tangent = what the actions of K and C at (u, v) need: tangent_size() doubles.
-    void (*linearise)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, double *tangent,
-                      double *scratch);
+    /// What KernelTangent says of (u, v); @p low may be null.
+    void (*linearise)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *v, float *high,
+                      float *low, double *volume, double *scratch);
 
     /// y += (w_u K + w_v C + w_a M) x. @p tangent comes from linearise() with the same model; mass alone needs none. With a @p pressure K
     /// is that of a fixed one, and y += w_u A^T dp; A = B but in a step.
-    void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *tangent,
+    void (*apply)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const KernelTangent &tangent,
                   const double *x, double *y, const KernelPressure *pressure, double *scratch);
 
-    /// columns = B at u, [n_modes][3][n_nodes] lanes, and of a step the A of forces behind it; stiffness = its Psi_vol'' in matrices,
-    /// [n_modes][n_modes] lanes; orthonormal modes.
-    void (*volume)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, double *columns, double *stiffness,
-                   double *scratch);
+    /// W = Psi_vol'' of matrices at u, [n_modes][n_modes] lanes, as all that follows in orthonormal modes.
+    void (*stiffness)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, double *W, double *scratch);
+
+    /// y += A^T W b at u; A = B but in a step. @p b: [n_modes] lanes.
+    void (*condense)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *W, const double *b,
+                     double *y, double *scratch);
+
+    /// z = W (B x - b / weight) at u. @p b and @p z: [n_modes] lanes.
+    void (*recover)(const KernelTables &, const KernelModel &, const KernelCells &, const double *u, const double *W, double weight,
+                    const double *x, const double *b, double *z, double *scratch);
 
     /// matrices = w_u K + w_v C + w_a M at (u, v): [9][n_nodes][n_nodes] lanes, block (a, c) at 3 a + c.
     void (*element_matrices)(const KernelTables &, const KernelModel &, const KernelCells &, const double weights[3], const double *u,

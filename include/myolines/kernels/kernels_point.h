@@ -139,8 +139,6 @@ namespace myolines
     /// The fields of TangentValue, with JxW = @p weight.
     MYOLINES_INLINE void store(const T *F_rate, const T &weight, T *tangent) const
     {
-      for (int i = 0; i < 9; ++i)
-        tangent[tangent_F + i] = k.F[i];
       tangent[tangent_p]       = p * k.J * weight;
       tangent[tangent_psi1]    = base.first * weight;
       tangent[tangent_psi2]    = base.second * weight;
@@ -225,13 +223,12 @@ namespace myolines
   /// The tangent action at a point from stored fields t (TangentValue), times JxW, without the change of p_h:
   /// dP = w_u dP/dF : dF + w_v dP/dFdot : dF. Gives J H JxW too, from which that change is made; @p JxW is the weight.
   template <typename T>
-  MYOLINES_INLINE void tangent_action(const KernelModel &model, const T *material, const T *t, const T *dF, const T &JxW, const double w_u,
-                                      const double w_v, T *dP, T *cofactor)
+  MYOLINES_INLINE void tangent_action(const KernelModel &model, const T *material, const Kinematics<T> &k, const T *t, const T *dF,
+                                      const T &JxW, const double w_u, const double w_v, T *dP, T *cofactor)
   {
-    const Kinematics<T> k(t + tangent_F);
-    const T             u(w_u), power = t[tangent_power], psi1 = u * t[tangent_psi1], pJ = u * t[tangent_p], g = u * t[tangent_g];
-    const T             I1 = power * dot(k.F, k.F), HdF = dot(k.H, dF), QdF = T(2.) * power * dot(k.F, dF) - T(2. / 3.) * I1 * HdF;
-    const T             along_Q = u * t[tangent_psi2] * QdF - T(2. / 3.) * psi1 * HdF;
+    const T u(w_u), power = t[tangent_power], psi1 = u * t[tangent_psi1], pJ = u * t[tangent_p], g = u * t[tangent_g];
+    const T I1 = power * dot(k.F, k.F), HdF = dot(k.H, dF), QdF = T(2.) * power * dot(k.F, dF) - T(2. / 3.) * I1 * HdF;
+    const T along_Q = u * t[tangent_psi2] * QdF - T(2. / 3.) * psi1 * HdF;
 
     const T *a0 = material + material_direction;
     T        a[3], da[3], aa(0.), ada(0.); // F a0, dF a0

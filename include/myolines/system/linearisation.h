@@ -32,8 +32,7 @@ namespace myolines
     Vector               coarse_layout;      ///< any vector of the coarse space
     const Constraints   &coarse_constraints; ///< what relates its unknowns: coarse vectors are C q before P
 
-    /// y = J x, full length, of a cheaper J close to the true one (say of lower quadrature) at the state of the patches;
-    /// empty where the true one is cheap enough. @p x needs current ghosts.
+    /// y = J x, full length, of a cheaper J close to the one of the state (say of lower quadrature, or rounded). @p x needs current ghosts.
     std::function<void(const Vector &x, Vector &y)> action;
   };
 
@@ -112,7 +111,7 @@ namespace myolines
     virtual bool has_two_levels() const { return false; }
 
     /// Fresh patches and coarse matrix for the weights, or nullptr where the system has none. Valid until the next call. @p softened: of
-    /// the matrix of softened_sparse(); there is always an action then.
+    /// the matrix of softened_sparse().
     virtual TwoLevel *two_level(const WeightsByOrder & /*weights*/, bool /*softened*/) { return nullptr; }
   };
 } // namespace myolines
