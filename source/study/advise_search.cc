@@ -12,10 +12,10 @@ namespace myolines::study
   {
     using State = Track::State;
 
-    constexpr double more expensive_by = 1.2;  // CPU times of this ratio may be the same
-    constexpr double      promising    = 3;    // methods that cost at most so many times the cheapest are tried with steps by error
-    constexpr std::size_t failures     = 5;    // in a row, after which a method is left out
-    constexpr double      sharp        = 0.33; // change of the reference over the error that it tells
+    constexpr double      dearer_by = 1.2;  // CPU times of this ratio may be the same
+    constexpr double      promising = 3;    // methods that cost at most so many times the cheapest are tried with steps by error
+    constexpr std::size_t failures  = 5;    // in a row, after which a method is left out
+    constexpr double      sharp     = 0.33; // change of the reference over the error that it tells
     constexpr double      patience = 10, least_seconds = 30;
   } // namespace
 
@@ -37,7 +37,7 @@ namespace myolines::study
     if (run.outcome.status == "refused" || run.outcome.status == "crashed")
       track.state = State::failing;
     else if (run.outcome.status == "timed out")
-      track.state = State::more expensive;
+      track.state = State::dearer;
     else if (run.done())
       {
         track.rung = track.runs.size() - 1;
@@ -60,15 +60,15 @@ namespace myolines::study
     return best;
   }
 
-  void Search::leave_out_more expensive()
+  void Search::leave_out_dearer()
   {
     const Track *best = cheapest();
     if (best == nullptr)
       return;
     for (Track &track : tracks_)
       if (track.state == State::searching && !track.runs.empty() && track.runs[track.rung]->done() &&
-          work_of(track) > more expensive_by * work_of(*best))
-        track.state = State::more expensive;
+          work_of(track) > dearer_by * work_of(*best))
+        track.state = State::dearer;
     pilot_.limit_runs(std::max(least_seconds, patience * best->runs[best->rung]->seconds()));
   }
 
@@ -76,7 +76,7 @@ namespace myolines::study
   {
     while (true)
       {
-        leave_out_more         expensive();
+        leave_out_dearer();
         std::vector<PilotCase> cases;
         std::vector<Track *>   open;
         for (Track &track : tracks_)
@@ -113,7 +113,7 @@ namespace myolines::study
     track.confirmed = false;
     track.state     = track.rung + 1 == track.candidate->rungs.size() ? State::too_coarse : State::searching;
     for (Track &each : tracks_)
-      if (each.state == State::more expensive && each.runs.back()->done())
+      if (each.state == State::dearer && each.runs.back()->done())
         each.state = State::searching;
   }
 
