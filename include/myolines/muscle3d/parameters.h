@@ -44,6 +44,7 @@ namespace myolines
     TissueNames                               tissue_names = printed_tissues(); ///< of all that there could be
     std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}};         ///< of the cells, by material id; the muscle in any case
     bool                                      has_muscle = true;                ///< whether the body has any
+    std::optional<double>                     pennation_angle;                  ///< of the fibres, where the scene gives it so [degree]
     BodyFields                                fields;
     BoundaryConditions                        boundary;
     InitialMotion                             initial;
