@@ -154,6 +154,17 @@ namespace
     EXPECT_EQ(file_of(&activation), own.get());
   }
 
+  /// With beta = 1 the equation is linear: u = t gives a = t - tau (1 - exp(-t/tau)).
+  TEST_F(FileDriveTest, ActivationIsTheSolutionOfItsEquation)
+  {
+    const Zajac           linear{0.045, 1};
+    const ZajacActivation activation(
+        linear, make_drive(scene::list_of_defaults(drive_schema("excitation", "-"), "test", {"type=control points", "points=0 0; 1 1"}),
+                           excitation_));
+    for (const double t : {0.01, 0.1, 0.5})
+      EXPECT_NEAR(activation.value(t, Side::left), t + linear.time_constant * std::expm1(-t / linear.time_constant), 1e-10) << t;
+  }
+
   /// A ramp of the excitation from the start on, whenever that is; an excitation of samples is followed from the first of them.
   TEST_F(FileDriveTest, ActivationBeginsWhereTheRunDoes)
   {
