@@ -4,6 +4,7 @@
 
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
+#include <myolines/meshes/tidy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,9 @@ namespace myolines
       MeshSource(const std::filesystem::path &of_file, const PlainMesh &mesh)
         : sampler_(mesh)
       {
-        file = of_file;
+        file                   = of_file;
+        const auto [low, high] = box_around(mesh);
+        extent                 = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
         std::set<unsigned int> all;
         for (const bool of_cells : {true, false})
           for (const Field &field : of_cells ? mesh.cell_fields : mesh.point_fields)

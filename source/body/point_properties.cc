@@ -3,12 +3,14 @@
 
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
+#include <myolines/scene/columns.h>
 #include <myolines/scene/csv.h>
 #include <myolines/scene/input_text.h>
 
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace myolines
@@ -50,24 +52,69 @@ namespace myolines
         throw InputError(InputProblem{csv.file.string(), "there are no points", "a header and lines of numbers, separated by commas", ""});
     }
 
+    /// The unit of a column whose name tells none.
+    std::string own_unit(const std::string &column)
+    {
+      return column.rfind("qp_", 0) == 0 ? "m" : column == "max_iso_stress_muscle" ? "Pa" : "-";
+    }
+
+    /// A table of points whose names have no units any more.
+    struct PlacedTable
+    {
+      explicit PlacedTable(scene::CsvTable table, const double scale)
+        : csv(std::move(table))
+      {
+        for (std::string &name : csv.header)
+          {
+            const scene::ColumnName column = scene::split_column_name(name);
+            const std::string       own    = own_unit(column.quantity);
+            const auto              factor = column.unit.empty() ? 1. : scene::unit_factor(column.unit, own);
+            const std::string       where  = csv.file.string() + ", line 1";
+            if (!factor)
+              throw InputError(InputProblem{where, "the column \"" + name + "\" is in \"" + column.unit + "\"",
+                                            "a unit that can be converted to " + own + ", or none", ""});
+            if (own == "m" && !column.unit.empty() && scale != 1)
+              throw InputError(
+                  InputProblem{where, "the column \"" + name + "\" has a unit, and the scene a \"table scale\"", "one of them", ""});
+            factors.push_back(*factor * (own == "m" ? scale : 1));
+            name = column.quantity;
+          }
+      }
+
+      std::vector<double> numbers(const std::string &column) const
+      {
+        const std::size_t   i = *csv.column(column);
+        std::vector<double> x = csv.numbers(i);
+        for (double &value : x)
+          value *= factors[i];
+        return x;
+      }
+
+      scene::CsvTable     csv;
+      std::vector<double> factors; ///< to SI units
+    };
+
     /// Rows of a CSV file.
     class TableSource : public PointProperties::Source
     {
     public:
       using Row = PointProperties::Row;
 
-      TableSource(const scene::CsvTable &csv, const double scale)
-        : rows_(csv.rows.size())
+      explicit TableSource(const PlacedTable &table)
+        : rows_(table.csv.rows.size())
       {
+        const scene::CsvTable &csv = table.csv;
+
         file       = csv.file;
         has_fat    = csv.column("fat_fraction").has_value();
         has_matrix = csv.column("matrix_fraction").has_value();
         for (const PointQuantity &quantity : point_quantities())
-          fill(csv, quantity);
+          if (csv.column(quantity.name))
+            fill(table, quantity);
         has_directions = csv.column(fibre_orientation + "_x").has_value();
         if (has_directions)
-          fill_directions(csv);
-        fill_tree(csv, scale);
+          fill_directions(table);
+        fill_tree(table);
         std::set<unsigned int> all;
         for (const Row &row : rows_)
           if (row.tissue)
@@ -83,42 +130,43 @@ namespace myolines
       }
 
     private:
-      void fill(const scene::CsvTable &csv, const PointQuantity &quantity)
+      void fill(const PlacedTable &table, const PointQuantity &quantity)
       {
-        const auto column = csv.column(quantity.name);
-        if (!column)
-          return;
-        const std::vector<double> values = csv.numbers(*column);
+        const std::vector<double> values = table.numbers(quantity.name);
         for (std::size_t row = 0; row < rows_.size(); ++row)
           {
             if (!quantity.range.contains(values[row]))
-              throw InputError(InputProblem{csv.where(row), quantity.name + " is " + std::to_string(values[row]),
+              throw InputError(InputProblem{table.csv.where(row), quantity.name + " is " + std::to_string(values[row]),
                                             "a number " + quantity.range.text(), ""});
             quantity.set(rows_[row], values[row]);
           }
       }
 
-      void fill_directions(const scene::CsvTable &csv)
+      void fill_directions(const PlacedTable &table)
       {
         std::array<std::vector<double>, 3> a;
         for (unsigned int c = 0; c < 3; ++c)
-          a[c] = csv.numbers(*csv.column(fibre_orientation + "_" + "xyz"[c]));
+          a[c] = table.numbers(fibre_orientation + "_" + "xyz"[c]);
         for (std::size_t row = 0; row < rows_.size(); ++row)
           {
             rows_[row].direction = unit_vector({{a[0][row], a[1][row], a[2][row]}});
             if (!rows_[row].direction)
-              throw InputError(InputProblem{csv.where(row), "the fibre orientation has length zero", "a vector", ""});
+              throw InputError(InputProblem{table.csv.where(row), "the fibre orientation has length zero", "a vector", ""});
           }
       }
 
-      void fill_tree(const scene::CsvTable &csv, const double scale)
+      void fill_tree(const PlacedTable &table)
       {
-        const std::vector<double> x = csv.numbers(*csv.column("qp_x")), y = csv.numbers(*csv.column("qp_y")),
-                                  z = csv.numbers(*csv.column("qp_z"));
+        const std::vector<double> x = table.numbers("qp_x"), y = table.numbers("qp_y"), z = table.numbers("qp_z");
         std::vector<std::pair<dealii::Point<3>, unsigned int>> places;
         for (unsigned int row = 0; row < rows_.size(); ++row)
-          places.emplace_back(scale * dealii::Point<3>(x[row], y[row], z[row]), row);
-        tree_ = dealii::pack_rtree(places);
+          places.emplace_back(dealii::Point<3>(x[row], y[row], z[row]), row);
+        const auto length = [](const std::vector<double> &along) {
+          const auto [low, high] = std::minmax_element(along.begin(), along.end());
+          return *high - *low;
+        };
+        extent = std::hypot(length(x), length(y), length(z));
+        tree_  = dealii::pack_rtree(places);
       }
 
       std::vector<Row>                                         rows_;
@@ -149,9 +197,9 @@ namespace myolines
 
   std::unique_ptr<const PointProperties::Source> table_source(const std::filesystem::path &file, const double scale)
   {
-    const scene::CsvTable csv = scene::read_csv_input(file);
-    check_header(csv);
-    return std::make_unique<const TableSource>(csv, scale);
+    const PlacedTable table(scene::read_csv_input(file), scale);
+    check_header(table.csv);
+    return std::make_unique<const TableSource>(table);
   }
 
   PointProperties::PointProperties(const std::filesystem::path &file, const double scale)
@@ -169,6 +217,8 @@ namespace myolines
   bool PointProperties::has_directions() const { return source_->has_directions; }
 
   const std::vector<unsigned int> &PointProperties::tissues() const { return source_->tissues; }
+
+  double PointProperties::extent() const { return source_->extent; }
 
   const std::filesystem::path &PointProperties::file() const { return source_->file; }
 } // namespace myolines

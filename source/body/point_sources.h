@@ -18,7 +18,8 @@ namespace myolines
 
     std::filesystem::path     file;
     bool                      has_fat = false, has_matrix = false, has_directions = false;
-    std::vector<unsigned int> tissues; ///< that it names
+    std::vector<unsigned int> tissues;    ///< that it names
+    double                    extent = 0; ///< diagonal of the box around its points [m]
   };
 
   /// A number that a row may have.

@@ -19,6 +19,7 @@
 #include <myolines/solve/nonlinear_solver.h>
 #include <myolines/system/file_drive.h>
 #include <myolines/system/steered_drive.h>
+#include <myolines/system/zajac.h>
 #include <myolines/time/step_control.h>
 
 #include <algorithm>
@@ -30,6 +31,9 @@ namespace myolines
 
   void note_drives(const std::vector<const Drive *> &drives, AssembledSystem &assembled)
   {
+    for (const Drive *drive : drives)
+      if (const ZajacActivation *activation = from_excitation(drive))
+        assembled.from_excitations.push_back(activation);
     for (const Drive *drive : drives)
       if (const FileDrive *file = file_of(drive))
         assembled.files.push_back(file);
@@ -79,11 +83,14 @@ namespace myolines
     {
       std::vector<const Drive *> drives{parameters.excitation.get(), parameters.tendon ? parameters.tendon->unit_length.get() : nullptr};
 
-      auto            system    = std::make_unique<Muscle1dSystem>(std::move(parameters), ledger);
-      auto            plan      = system->plan();
-      AssembledSystem assembled = assemble(std::move(system), ledger);
-      assembled.plan            = std::move(plan);
+      const auto      activation = parameters.activation;
+      auto            system     = std::make_unique<Muscle1dSystem>(std::move(parameters), ledger);
+      auto            plan       = system->plan();
+      AssembledSystem assembled  = assemble(std::move(system), ledger);
+      assembled.plan             = std::move(plan);
       note_drives(drives, assembled);
+      if (const ZajacActivation *from = from_excitation(activation.get())) // its file is that of the excitation
+        assembled.from_excitations.push_back(from);
       return assembled;
     }
 

@@ -9,6 +9,7 @@
 #include <myolines/scene/numbers.h>
 #include <myolines/system/file_drive.h>
 #include <myolines/system/instants.h>
+#include <myolines/system/zajac.h>
 #include <myolines/time/energy_guard.h>
 #include <myolines/time/error_control.h>
 #include <myolines/time/start.h>
@@ -70,6 +71,8 @@ namespace myolines
               [this] { return stop_signal() != 0; })
     , nonlinear_(scene_.section("solver").section("nonlinear"), linear_, ledger_)
   {
+    for (const ZajacActivation *activation : assembled_.from_excitations)
+      activation->begin(settings_.start);
     for (const FileDrive *file : assembled_.files)
       file->require(settings_.start, settings_.end);
     refuse_ignored_inertia();

@@ -140,7 +140,10 @@ namespace myolines
       p.tissues.clear();
       if (lists.has("curves"))
         p.curves = read_curves(lists.section("curves"));
-      const std::array<double, 3> along = read_fibre_direction(system.section("fibres"), p, line);
+      const Node                 &fibres = system.section("fibres");
+      const std::array<double, 3> along  = read_fibre_direction(fibres, p, line);
+      if (fibres.text("type") == "pennation angle" && fibres.has("angle"))
+        p.pennation_angle = fibres.number("angle");
       for (const TissueKind &kind : tissue_kinds())
         {
           const bool needed = std::find(of_body.begin(), of_body.end(), kind.name) != of_body.end();

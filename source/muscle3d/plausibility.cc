@@ -2,6 +2,7 @@
 #include <myolines/muscle3d/plausibility.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace myolines
@@ -34,6 +35,30 @@ namespace myolines
             break;
           }
       sentences.push_back(text.str());
+    }
+    /// Of a table of points that is much larger or smaller than the body: nearly all of the body is near to one of its points.
+    std::string implausible_table(const Muscle3dParameters &parameters)
+    {
+      constexpr double much = 50; // centimetres are 100 times as many as metres
+      if (!parameters.fields.table)
+        return "";
+      const auto        &size = parameters.geometry.size;
+      const double       body = std::hypot(size[0], size[1], size[2]), extent = parameters.fields.table->extent();
+      std::ostringstream text;
+      if (extent > much * body || extent < body / much)
+        text << "the points in " << parameters.fields.table->file().string() << " extend over " << extent << " m, the body over " << body
+             << " m. Is \"table scale\" in system/fields the unit of the table (m, cm, mm, um)?";
+      return text.str();
+    }
+
+    std::string implausible_angle(const Muscle3dParameters &parameters)
+    {
+      const double       angle = std::abs(parameters.pennation_angle.value_or(0)), right = std::acos(-1) / 2;
+      std::ostringstream text;
+      if (angle > 0 && angle <= right)
+        text << "the fibres have a pennation of " << angle << " degrees. Were radians meant? That would be " << angle * 90 / right
+             << " degrees";
+      return text.str();
     }
   } // namespace
 
@@ -86,6 +111,9 @@ namespace myolines
              << "; below 0.01 results are doubtful and solves slow";
         sentences.push_back(text.str());
       }
+    for (const std::string &sentence : {implausible_table(parameters), implausible_angle(parameters)})
+      if (!sentence.empty())
+        sentences.push_back(sentence);
     for (const auto &[id, tissue] : parameters.tissues)
       {
         const std::string &name = parameters.tissue_names[id - 1];

@@ -226,6 +226,8 @@ namespace myolines::scene
           problems.push_back({"override \"" + override_text + "\"", "no path and value", "path=value", "for example \"time/step=1e-3\""});
         else if (first_not_utf8(override_text) != std::string::npos)
           problems.push_back({"override \"" + path + "\"", "it is not text in UTF-8", "UTF-8, as scenes are", ""});
+        else if (std::any_of(override_text.begin(), override_text.end(), is_control))
+          problems.push_back({"override \"" + path + "\"", "there is a control character in it", "text, as in scenes", ""});
         else
           set_parameter(root, path, override_text.substr(equals + 1), true);
       }

@@ -20,8 +20,6 @@ namespace myolines::scene
       return {static_cast<char>(0xF0 | code >> 18), tail(12), tail(6), tail(0)};
     }
 
-    bool is_control(const unsigned long code) { return code < 0x20 && code != '\t' && code != '\n' && code != '\r'; }
-
     /// Goes through the text once; knows comments, instructions, tags and the values in them.
     class Scanner
     {
@@ -61,7 +59,7 @@ namespace myolines::scene
       void keep()
       {
         const char c = xml_[at_];
-        if (is_control(static_cast<unsigned char>(c)))
+        if (is_control(c))
           return problem("there is a control character, number " + std::to_string(static_cast<int>(c)), "text", "remove it");
         plain_ += c;
         line_ += c == '\n' ? 1 : 0;
@@ -167,7 +165,7 @@ namespace myolines::scene
         unsigned long code   = 0;
         const auto    result = std::from_chars(begin, end, code, hexadecimal ? 16 : 10);
         const bool    whole  = result.ec == std::errc() && result.ptr == end;
-        const bool    valid  = !is_control(code) && !(code >= 0xD800 && code < 0xE000) && code < 0x110000;
+        const bool valid = !(code < 0x80 && is_control(static_cast<char>(code))) && !(code >= 0xD800 && code < 0xE000) && code < 0x110000;
         return whole && valid ? std::optional<unsigned long>(code) : std::nullopt;
       }
 

@@ -9,6 +9,9 @@
 
 namespace myolines::scene
 {
+  /// Whether no text of XML may have @p c: control characters but for tabs and ends of lines.
+  inline bool is_control(const char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r'; }
+
   /// @p xml as the XML parser takes it: blanks, on the same lines, for the declaration, comments with any characters, processing
   /// instructions and a document type, of which nothing is read; UTF-8 for references to characters beyond ASCII. Nothing, and the first
   /// problem in @p problems with @p file and the line, for what the parser would tell in words that do not help, or not survive: a bare <

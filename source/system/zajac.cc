@@ -18,9 +18,10 @@ namespace myolines
     static constexpr double step  = 4e-4; ///< [s]
     static constexpr double chunk = 0.25; ///< [s]
 
-    Table(const Zajac &zajac_, const Drive &excitation_)
+    Table(const Zajac &zajac_, const Drive &excitation_, const double start_)
       : zajac(zajac_)
       , excitation(excitation_)
+      , start(start_)
     {
       if (const auto *samples = dynamic_cast<const SampledDrive *>(&excitation))
         start = samples->begin();
@@ -68,7 +69,7 @@ namespace myolines
 
     const Zajac      zajac;
     const Drive     &excitation;
-    double           start = 0; ///< [s]
+    double           start; ///< [s]
     std::vector<Row> rows;
     unsigned int     chunks = 0;
   };
@@ -76,7 +77,7 @@ namespace myolines
   ZajacActivation::ZajacActivation(const Zajac &zajac, std::shared_ptr<const Drive> excitation)
     : zajac_(zajac)
     , excitation_(std::move(excitation))
-    , table_(std::make_unique<Table>(zajac_, *excitation_))
+    , table_(std::make_unique<Table>(zajac_, *excitation_, 0.))
   {
     if (const auto steering = steering_of(excitation_.get()))
       steering->refuse("the activation follows from this excitation beforehand, so that nobody can steer it",
@@ -84,6 +85,14 @@ namespace myolines
   }
 
   ZajacActivation::~ZajacActivation() = default;
+
+  void ZajacActivation::begin(const double run_start) const
+  {
+    const double memory = 40 * zajac_.time_constant / zajac_.ratio; // e^-40 is less than rounding
+    table_              = std::make_unique<Table>(zajac_, *excitation_, run_start < 0 ? run_start : std::max(0., run_start - memory));
+  }
+
+  const ZajacActivation *from_excitation(const Drive *drive) { return dynamic_cast<const ZajacActivation *>(drive); }
 
   bool ZajacActivation::is_before_start(const double t, const Side side) const
   {

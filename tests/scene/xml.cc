@@ -55,6 +55,13 @@ TEST(Xml, ReferencesToCharactersAreThoseCharacters)
         << bad << told(with_formula(bad));
 }
 
+TEST(Xml, OverridesHaveNoControlCharactersEither)
+{
+  const Schema schema = Schema("Root.").text("formula", "", "Formula.");
+  EXPECT_NO_THROW(parse_scene(with_formula("x"), schema, "test.xml", ".", {"formula=a\tb\nc"}));
+  EXPECT_THROW(parse_scene(with_formula("x"), schema, "test.xml", ".", {std::string("formula=a\x01") + "b"}), InputError);
+}
+
 TEST(Xml, WhatIsNoElementIsLeftOut)
 {
   const std::string list = "<ParameterList name=\"scene\">\n", end = "</ParameterList>";

@@ -154,6 +154,42 @@ namespace
     EXPECT_EQ(file_of(&activation), own.get());
   }
 
+  /// With beta = 1 the equation is linear: u = t gives a = t - tau (1 - exp(-t/tau)).
+  TEST_F(FileDriveTest, ActivationIsTheSolutionOfItsEquation)
+  {
+    const Zajac           linear{0.045, 1};
+    const ZajacActivation activation(
+        linear, make_drive(scene::list_of_defaults(drive_schema("excitation", "-"), "test", {"type=control points", "points=0 0; 1 1"}),
+                           excitation_));
+    for (const double t : {0.01, 0.1, 0.5})
+      EXPECT_NEAR(activation.value(t, Side::left), t + linear.time_constant * std::expm1(-t / linear.time_constant), 1e-10) << t;
+  }
+
+  /// A ramp of the excitation from the start on, whenever that is; an excitation of samples is followed from the first of them.
+  TEST_F(FileDriveTest, ActivationBeginsWhereTheRunDoes)
+  {
+    const auto at = [this](const double start, const double later) {
+      std::ostringstream points;
+      points.precision(17);
+      points << "points=" << start << " 0.2; " << start + 0.125 << " 1";
+      const ZajacActivation activation(
+          Zajac(),
+          make_drive(scene::list_of_defaults(drive_schema("excitation", "-"), "test", {"type=control points", points.str()}), excitation_));
+      activation.begin(start);
+      EXPECT_NEAR(activation.value(start, Side::right), Zajac().steady(0.2), 1e-12);
+      EXPECT_NEAR(activation.first_derivative(start, Side::right), 0, 1e-9);
+      return activation.value(start + later, Side::left);
+    };
+    for (const double later : {0.0625, 0.25})
+      for (const double start : {-5., -0.125, 64., 1048576., 1e10})
+        EXPECT_NEAR(at(start, later), at(0, later), start < 1e9 ? 1e-9 : 1e-5) << start;
+    write("t,u\n-1,0.2\n0,0.2\n1,0.8\n");
+    const ZajacActivation sampled(Zajac(), make(excitation_));
+    const double          before = sampled.value(0.5, Side::left);
+    sampled.begin(0.25);
+    EXPECT_EQ(sampled.value(0.5, Side::left), before);
+  }
+
   TEST_F(FileDriveTest, TellsWhatTimesItKnows)
   {
     write("t,u\n0.6,0.2\n0.7,0.2\n0.9,0.2\n");

@@ -31,6 +31,12 @@ namespace
   double rectangle(const double t) { return std::fmod(t, 0.5) < 0.25 ? 0 : 1; }
 } // namespace
 
+TEST(SampledDrive, monotoneSlopesAreWeightedMeansOfTheChords)
+{
+  // chords 1 and 1/2 over 1 and 2: the longer interval weighs less
+  EXPECT_NEAR(SampledDrive::monotone({0, 1, 3}, {0, 1, 2}).first_derivative(1, Side::right), 9. / 13, 1e-14);
+}
+
 TEST(SampledDrive, splineConvergesWithOrderFourInside)
 {
   const auto error = [](const unsigned int n) {

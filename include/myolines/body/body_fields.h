@@ -22,7 +22,8 @@ namespace myolines
   /// muscle_fibre_orientation, fat_fraction, activation_scale, matrix_fraction (one of our own), tissue_id (1 muscle, 2 aponeurosis, 3
   /// tendon).
   /// - A CSV file has columns by name, in any order: qp_x, qp_y, qp_z and any of these (muscle_fibre_orientation_x, _y, _z). A first
-  ///   column without a name, as programs write it that number rows, is passed over. Each place of the body takes the nearest row.
+  ///   column without a name, as programs write it that number rows, is passed over. Units in brackets are converted. Each place of the
+  ///   body takes the nearest row.
   /// - A mesh in a format of VTK has them as arrays; that of the fibre orientation has three components and may be called fibre as well.
   ///   Each place takes what its cell has, or between the points of the cell what they have, linearly; vectors of points are turned to
   ///   the same side before. Vectors of length zero say nothing. Other arrays are passed over.
@@ -52,6 +53,7 @@ namespace myolines
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;
     const std::filesystem::path     &file() const; ///< where they come from
+    double                           extent() const; ///< diagonal of the box around its points [m]
 
     /// How the file keeps its rows.
     class Source;

@@ -19,6 +19,7 @@
 namespace myolines
 {
   class FileDrive;
+  class ZajacActivation;
   class Steering;
 
   /// A system as a scene describes it.
@@ -32,8 +33,9 @@ namespace myolines
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
 
-    std::vector<const FileDrive *>         files;   ///< that drive the system
-    std::vector<std::shared_ptr<Steering>> steered; ///< what else drives it and is set while it runs
+    std::vector<const FileDrive *>         files;            ///< that drive the system
+    std::vector<const ZajacActivation *>   from_excitations; ///< activations that follow excitations, which must know where the run begins
+    std::vector<std::shared_ptr<Steering>> steered;          ///< what else drives it and is set while it runs
 
     /// Throws an InputError at the place it gets where the system has no equilibrium to start from; empty: it always has.
     std::function<void(const scene::Node &time, const std::string &parameter)> require_equilibrium;

@@ -45,6 +45,7 @@ namespace myolines
     TissueNames                               tissue_names = printed_tissues(); ///< of all that there could be
     std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}};         ///< of the cells, by material id; the muscle in any case
     bool                                      has_muscle = true;                ///< whether the body has any
+    std::optional<double>                     pennation_angle;                  ///< of the fibres, where the scene gives it so [degree]
     BodyFields                                fields;                           ///< what varies within the body
     BoundaryConditions                        boundary;                         ///< in the order of the scene
     InitialMotion                             initial;                          ///< displacement and velocity at the start

@@ -24,9 +24,9 @@ namespace myolines
   };
 
   /// The activation that belongs to an excitation, steady at time 0 and before, or, if the excitation is known from samples, at the first
-  /// of them, by Zajac's equation: integrated beforehand on a grid of 0.4 ms (and the kinks of the excitation) by the classical Runge-Kutta
-  /// method, cubic in between; error below 1e-8 where the excitation changes within 10 ms. The table grows as later times are asked for;
-  /// what has been answered never changes.
+  /// of them, or where begin() says, by Zajac's equation: integrated beforehand on a grid of 0.4 ms (and the kinks of the excitation) by
+  /// the classical Runge-Kutta method, cubic in between; error below 1e-8 where the excitation changes within 10 ms. The table grows as
+  /// later times are asked for; what has been answered never changes.
   class ZajacActivation : public Drive
   {
   public:
@@ -34,6 +34,10 @@ namespace myolines
     ~ZajacActivation() override;
 
     const Drive &excitation() const { return *excitation_; } ///< u(t)
+
+    /// Before anything is asked for: a run begins at @p run_start [s]. Excitations that are no samples are steady there if it is negative;
+    /// if it is late, they are followed from so long before it only that the rest is forgotten.
+    void begin(double run_start) const;
 
     double              value(double t, Side side) const override;
     double              first_derivative(double t, Side side) const override;
@@ -47,6 +51,9 @@ namespace myolines
 
     const Zajac                        zajac_;
     const std::shared_ptr<const Drive> excitation_;
-    const std::unique_ptr<Table>       table_;
+    mutable std::unique_ptr<Table>     table_;
   };
+
+  /// @p drive, if it is an activation that belongs to an excitation; else nullptr.
+  const ZajacActivation *from_excitation(const Drive *drive);
 } // namespace myolines
