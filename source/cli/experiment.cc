@@ -4,6 +4,7 @@
 #include <myolines/cli/experiment.h>
 #include <myolines/cli/memory.h>
 #include <myolines/cli/plugins.h>
+#include <myolines/cli/saved_start.h>
 #include <myolines/output/checkpoint_keeper.h>
 #include <myolines/output/text_file.h>
 #include <myolines/scene/numbers.h>
@@ -77,6 +78,8 @@ namespace myolines
       file->require(settings_.start, settings_.end);
     refuse_ignored_inertia();
     refuse_tiny_steps();
+    if (starts_from_saved(scene_))
+      saved_start(scene_, *assembled_.system, settings_.start);
     if (const scene::Node &time = scene_.section("time"); starts_from_equilibrium(time) && assembled_.require_equilibrium)
       assembled_.require_equilibrium(time, "start state");
     solver_plan_ = LinearSolver::plan(scene_.section("solver").section("linear"), scene_.section("solver").section("preconditioner"),
@@ -117,8 +120,10 @@ namespace myolines
 
   State Experiment::start()
   {
-    const scene::Node &time  = scene_.section("time");
-    State              state = starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
+    const scene::Node &time = scene_.section("time");
+    if (starts_from_saved(scene_))
+      return saved_start(scene_, *assembled_.system, settings_.start);
+    State state = starting_state(*assembled_.system, settings_.start, boundary_rates(time), start_velocity(time));
     if (starts_from_equilibrium(time))
       find_equilibrium(state);
     return state;

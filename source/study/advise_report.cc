@@ -23,9 +23,11 @@ namespace myolines::study
 
     std::string text_of_quantity(const AdviceReport &report, const std::size_t q)
     {
-      const NamedValue &value = report.reference.run().values[q];
-      const double      steps = report.advice.best_errors()[q], mesh = report.mesh.errors[q], asked = report.reference.accuracy()[q];
-      std::string text = report.pilot.quantities()[q].file + ", " + value.header + ", " + words_of(report.pilot.quantities()[q]) + ": " +
+      const PilotRun   &known = report.advice.trial ? *report.advice.trial->run : report.reference.run();
+      const NamedValue &value = known.values[q];
+      const double      steps = report.advice.best_errors()[q], mesh = report.mesh.errors[q],
+                   asked = report.pilot.accuracy_of(known.plain_values())[q];
+      std::string text   = report.pilot.quantities()[q].file + ", " + value.header + ", " + words_of(report.pilot.quantities()[q]) + ": " +
                          with_unit(digits(asked, 2), value.header) + " are asked for";
       text += "\n  error   about " + with_unit(digits(steps + mesh, 2), value.header) + ": " + digits(steps, 2) + " of the steps";
       if (report.advice.trial)

@@ -166,9 +166,10 @@ namespace myolines
         .choice("start velocity", "consistent", {"consistent", "impulse"},
                 "Where a moving boundary starts or jumps to another velocity: the rest of the body keeps its velocity, or is given the "
                 "impulse of the consistent mass; with \"scheme\" rates and an impulse the boundary itself starts from rest.")
-        .choice("start state", "as given", {"as given", "equilibrium"},
+        .choice("start state", "as given", {"as given", "equilibrium", "saved"},
                 "Where the run starts from: the displacement that the system gives, or that at rest under the loads, activation and "
-                "prescribed displacements of the initial time. Velocities are as given.")
+                "prescribed displacements of the initial time, velocities as given; or displacements and velocities that a run has saved.")
+        .optional_file("saved state", "Checkpoint or kept state of a run of the same body on the same mesh; its time does not matter.")
         .choice("events", "restart", {"restart", "land", "ignore"},
                 "Kinks of the drives: land on them and restart the integrator with right limits, land on them only, or ignore them.");
     return schema;
