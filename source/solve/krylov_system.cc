@@ -55,11 +55,9 @@ namespace myolines
     const FreeUnknowns &free = tangent_.free_unknowns();
     const unsigned int  n    = x_.locally_owned_size();
     split(r, false);
-    y_ = 0;
-    elimination->condense(z_, y_);
-    free.condense(y_);
-    y_ += x_;
-    preconditioner.apply(y_.begin(), z);
+    elimination->condense(z_, x_);
+    free.condense(x_); // rows of constrained unknowns were zero
+    preconditioner.apply(x_.begin(), z);
     std::copy_n(z, n, x_.begin());
     if (free.related())
       {
@@ -69,7 +67,11 @@ namespace myolines
         y_.zero_out_ghost_values();
       }
     else
-      elimination->recover(weight, x_, z_, y_z_);
+      {
+        x_.update_ghost_values();
+        elimination->recover(weight, x_, z_, y_z_);
+        x_.zero_out_ghost_values();
+      }
     for (unsigned int i = 0; i < y_z_.locally_owned_size(); ++i)
       z[n + i] = y_z_.local_element(i) / scale_->local_element(i);
   }

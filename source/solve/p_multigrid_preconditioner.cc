@@ -5,7 +5,8 @@
 #  include <malloc.h>
 #endif
 
-#include <cmath>
+#include <algorithm>
+#include <functional>
 #include <stdexcept>
 
 namespace myolines
@@ -70,17 +71,18 @@ namespace myolines
       void apply(const double *r, double *z) const override
       {
         // Smoothing before and behind the coarse correction with one polynomial makes the cycle symmetric, as cg wants it.
-        std::copy_n(r, r_.locally_owned_size(), r_.begin());
-        z_ = 0;
-        smooth();
+        const unsigned int n = r_.locally_owned_size();
+        std::copy_n(r, n, r_.begin());
+        z_              = 0;
+        const double in = smooth();
         act(d_, Ad_);
-        r_ -= Ad_; // r - J z, by the last summand of z alone
+        r_.add(-in, Ad_); // r - J z
+        z_.add(in, d_);
         correct();
         act(z_, Ad_);
-        std::copy_n(r, r_.locally_owned_size(), r_.begin());
-        r_ -= Ad_;
-        smooth();
-        std::copy_n(z_.begin(), z_.locally_owned_size(), z);
+        std::transform(r, r + n, Ad_.begin(), r_.begin(), std::minus<double>());
+        const double out = smooth();
+        std::transform(z_.begin(), z_.begin() + n, d_.begin(), z, [out](const double z, const double d) { return z + out * d; });
       }
 
     private:
@@ -133,27 +135,27 @@ namespace myolines
         levels_->interpolation.add(z_coarse_, z_);
       }
 
-      /// z_ += p(S J) S r_. The last summand is left in d_; r_ is the residual before it.
+      /// z_ += p(S J) S r_ but for the last summand, which is d_ times what is returned; r_ is the residual before it.
       /// p by the recurrence of Chebyshev iteration (Saad, doi:10.1137/1.9780898718003, algorithm 12.1), which damps all eigenvalues of S J
       /// between lower and upper alike; smaller ones are left to the coarse level.
-      void smooth() const
+      double smooth() const
       {
         const double upper = margin * levels_->patches.overlap(), lower = upper / settings_.range;
         const double centre = (upper + lower) / 2, half = (upper - lower) / 2, sigma = centre / half;
-        double       rho = 1 / sigma;
+        double       rho = 1 / sigma, weight = 1 / centre;
         schwarz(r_, d_);
-        d_ *= 1 / centre;
-        z_ += d_;
         for (unsigned int k = 1; k < settings_.degree; ++k)
           {
+            z_.add(weight, d_);
             act(d_, Ad_);
-            r_ -= Ad_;
+            r_.add(-weight, Ad_);
             schwarz(r_, s_);
             const double next = 1 / (2 * sigma - rho);
-            d_.sadd(next * rho, 2 * next / half, s_);
-            z_ += d_;
-            rho = next;
+            d_.sadd(next * rho * weight, 2 * next / half, s_);
+            weight = 1;
+            rho    = next;
           }
+        return weight;
       }
 
       const Settings                        settings_;

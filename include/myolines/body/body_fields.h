@@ -52,7 +52,7 @@ namespace myolines
     bool                   has_directions() const; ///< of fibres
     /// The tissues that it names.
     const std::vector<unsigned int> &tissues() const;
-    const std::filesystem::path     &file() const; ///< where they come from
+    const std::filesystem::path     &file() const;   ///< where they come from
     double                           extent() const; ///< diagonal of the box around its points [m]
 
     /// How the file keeps its rows.
