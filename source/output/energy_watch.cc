@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/output/energy_watch.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace myolines
@@ -70,7 +71,10 @@ namespace myolines
       return number(energy) + " J, " + number(100 * energy / report.exchanged) + " % of the " + number(report.exchanged) + " J exchanged";
     };
     std::vector<std::string> lines;
-    if (report.drift < -noticed * report.exchanged)
+    if (!std::isfinite(report.drift))
+      lines.push_back("Warning: the energy of the last state is no number, as the volume at a point of the body is not positive there: \"" +
+                      method + "\" ends its steps at states at which it does not look. To try: shorter steps, or another method");
+    else if (report.drift < -noticed * report.exchanged)
       lines.push_back("Energy: " + part(-report.drift) + ", went into numerical dissipation of \"" + method + "\".");
     else
       lines.push_back("Energy: the balance drifts by " + part(report.drift) + ".");

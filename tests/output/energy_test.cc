@@ -3,6 +3,8 @@
 
 #include "folder.h"
 
+#include <cmath>
+
 using namespace myolines;
 
 namespace
@@ -55,3 +57,15 @@ TEST(EnergyLines, AGainWarnsWithTimesAndMethodAlsoWhereItIsLostAgain)
 }
 
 TEST(EnergyLines, NothingIsToldOfABodyAtRest) { EXPECT_EQ(text(EnergyReport()), ""); }
+
+// A state at which a method does not look may be torn; what was gained before is told all the same.
+TEST(EnergyLines, AnEnergyThatIsNoNumberIsAWarningAndNoDigits)
+{
+  EnergyReport report;
+  report.exchanged = 2;
+  report.drift     = std::nan("");
+  EXPECT_TRUE(has(text(report), "Warning: the energy of the last state is no number")) << text(report);
+  EXPECT_FALSE(has(text(report), "nan")) << text(report);
+  report.rise = {0.3, 0.5, 0.4};
+  EXPECT_TRUE(has(text(report), "gains 0.4 J")) << text(report);
+}
