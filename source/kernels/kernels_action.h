@@ -76,12 +76,15 @@ namespace myolines
       const T  *steps = m.before != nullptr ? step_tangents() : nullptr;
       for (int q = 0; q < n_points; ++q)
         {
-          T        of_state[tangent_size_rate];
+          T        of_state[tangent_size_rate + 9];
           const T *fields = steps != nullptr ? steps + q * size : of_state;
           if (steps == nullptr)
             {
               const Kinematics<T> k(F + 9 * q);
               PointLaw<T>(m, fibres, material(q), k, F_rate + 9 * q, expand(pressure, q)).store(F_rate + 9 * q, JxW(q), of_state);
+              if (m.keep_gradient)
+                for (int i = 0; i < 9; ++i)
+                  of_state[size - 9 + i] = F[9 * q + i];
             }
           for (int i = 0; i < size; ++i)
             {
@@ -193,38 +196,39 @@ namespace myolines
 #endif
     }
 
-    /// Fields @p begin to @p end of point q. Those of the same point in the next batch are fetched meanwhile.
-    template <int begin, int end>
-    MYOLINES_INLINE void load(const KernelTangent &tangent, const int q, T *fields) const
+    /// @p n fields of point q from number @p begin on. Those of the same point in the next batch are fetched meanwhile.
+    template <int n>
+    MYOLINES_INLINE void load(const KernelTangent &tangent, const int q, const int begin, T *fields) const
     {
       constexpr int     together = 64 / (n_lanes * sizeof(float)); // in a line of the cache
-      const std::size_t size = point_tangent_size(m) * n_lanes, first = q * size;
-      for (int i = begin; i < end; ++i)
+      const std::size_t size = point_tangent_size(m) * n_lanes, first = q * size + begin * n_lanes;
+      for (int i = 0; i < n; ++i)
         fields[i] = widened(tangent.high + first + i * n_lanes);
-      for (int i = begin; i < end; i += together)
+      for (int i = 0; i < n; i += together)
         __builtin_prefetch(tangent.high + n_points * size + first + i * n_lanes);
       if (tangent.low == nullptr)
         return;
-      for (int i = begin; i < end; ++i)
+      for (int i = 0; i < n; ++i)
         fields[i] += widened(tangent.low + first + i * n_lanes);
-      for (int i = begin; i < end; i += together)
+      for (int i = 0; i < n; i += together)
         __builtin_prefetch(tangent.low + n_points * size + first + i * n_lanes);
     }
 
     void add_state(const double w[3], const KernelTangent &tangent, T *flux, const KernelPressure *given)
     {
       T *of_u = F_rate;
-      evaluate_unit_gradient(tangent.u, of_u);
+      if (!m.keep_gradient)
+        evaluate_unit_gradient(tangent.u, of_u);
       const T *of_laws = cells.n_laws > 0 ? law_actions(w, tangent, flux, of_u) : nullptr;
       // What a point has read of u makes room for its volume.
       add_points(w, tangent, flux, of_u, given, [&](const int q, const T *dF, T *dP, T *volume) MYOLINES_INLINED {
         T fields[tangent_size_rate], gradient[9];
-        load<0, tangent_size_0>(tangent, q, fields);
+        load<tangent_size_0>(tangent, q, 0, fields);
         if (m.rate)
-          load<tangent_size_0, tangent_size_rate>(tangent, q, fields);
+          load<tangent_size_rate - tangent_size_0>(tangent, q, tangent_size_0, fields + tangent_size_0);
         else
           clear(fields + tangent_size_0, tangent_size_rate - tangent_size_0);
-        gradient_of_deformation(of_u, q, gradient);
+        gradient_of_deformation(tangent, of_u, q, gradient);
         tangent_action(m, material(q), Kinematics<T>(gradient), fields, dF, JxW(q), w[0], w[1], dP, volume);
         const T change = dot(volume, dF);
         if (of_laws != nullptr)
@@ -238,17 +242,20 @@ namespace myolines
     {
       add_points(w, tangent, flux, F_rate, given, [&](const int q, const T *dF, T *dP, T *volume) MYOLINES_INLINED {
         T fields[step_by_rate + 81];
-        load<0, step_by_rate>(tangent, q, fields);
+        load<step_by_rate>(tangent, q, 0, fields);
         if (m.velocities())
-          load<step_by_rate, step_by_rate + 81>(tangent, q, fields);
+          load<81>(tangent, q, step_by_rate, fields + step_by_rate);
         else
           clear(fields + step_by_rate, 81);
         return step_action(w, fields, dF, dP, volume);
       });
     }
 
-    MYOLINES_INLINE void gradient_of_deformation(const T *of_u, const int q, T *gradient) const
+    /// F, as it was kept or by the gradient of the displacement in directions of the unit cell.
+    MYOLINES_INLINE void gradient_of_deformation(const KernelTangent &tangent, const T *of_u, const int q, T *gradient) const
     {
+      if (m.keep_gradient)
+        return load<9>(tangent, q, point_tangent_size(m) - 9, gradient);
       from_unit(of_u, q, gradient);
       for (int i = 0; i < 9; i += 4)
         gradient[i] += T(1.);
@@ -314,7 +321,7 @@ namespace myolines
       T *gradient = coefficients, *dF = gradient + 9 * n_points, *dP = dF + 9 * n_points, *rate = dP + 9 * n_points;
       for (int q = 0; q < n_points; ++q)
         {
-          gradient_of_deformation(of_u, q, gradient + 9 * q);
+          gradient_of_deformation(tangent, of_u, q, gradient + 9 * q);
           from_unit(of_x, q, dF + 9 * q);
         }
       if (m.viscous)

@@ -93,6 +93,7 @@ namespace myolines
     model.exact_tangent = parameters.exact_tangent;
     model.viscous       = parameters.viscous();
     model.softened      = false;
+    model.keep_gradient = false;
     model.volume_limit  = 100; // measured, see doc/decisions/kept-pressures.md
     model.curves        = parameters.fibre_curves();
     model.before        = nullptr;

@@ -37,8 +37,9 @@ namespace myolines
 
   void Muscle3dLinearisation::refill(const Point &point, const Activation &activation)
   {
-    model_ = kernel_model(parameters_, activation);
-    u_     = point.u;
+    model_               = kernel_model(parameters_, activation);
+    model_.keep_gradient = keeps_gradient(discretisation_.instruction_set);
+    u_                   = point.u;
     u_.update_ghost_values();
     if (point.before != nullptr)
       {

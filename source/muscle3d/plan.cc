@@ -93,9 +93,11 @@ namespace myolines
     const double row      = 3 * std::pow(2 * k + 1, 3); // most entries of a row of a regular mesh
     const double mesh     = 2000;                       // bytes of a cell in mesh and numbering, measured
 
-    const double points   = std::pow(parameters.n_points, 3);
-    const double star     = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
-    const double tangents = (parameters.force_velocity() ? tangent_size_rate : tangent_size_0) * sizeof(float) * own; // of a point
+    const double points = std::pow(parameters.n_points, 3);
+    const double star   = 3 * std::pow(2 * k - 1, 3); // unknowns of a vertex star
+    const int    fields =
+        (parameters.force_velocity() ? tangent_size_rate : tangent_size_0) + (keeps_gradient(widest_instruction_set()) ? 9 : 0);
+    const double tangents = fields * sizeof(float) * own; // of a point
 
     sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
     sizes.bytes        = 21 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));

@@ -25,6 +25,7 @@ namespace myolines
         , r(u)
         , matrices(std::size_t(9) * d.element.n_nodes * d.element.n_nodes * n_lanes)
       {
+        model.keep_gradient = keeps_gradient(set);
         test::randomise(u, 1e-6, 1);
         test::randomise(v, 1e-4, 2);
         test::randomise(a, 1, 3);

@@ -32,6 +32,7 @@ namespace myolines
     bool                exact_tangent; ///< else its symmetric part
     bool                viscous;       ///< some law depends on the rate of strain
     bool                softened;      ///< Psi_vol'' in actions and matrices is that of preconditioners
+    bool                keep_gradient; ///< tangents of a state have F, which actions find again from the displacement otherwise
     double              volume_limit;  ///< N: Psi_vol'' is 1/(1/Psi_vol'' + 1/(N (mu + |p|))), mu = 2 dPsi/dI1; as it is where mu = 0
     curves::FibreCurves curves;        ///< of the user, where there are any; borrowed
     const double       *before;        ///< local array of displacements, as u: forces are those of the step from there to u; or nullptr
@@ -81,8 +82,9 @@ namespace myolines
     n_point_values     = 27  ///< fields of lanes at a point
   };
 
-  /// The tangent at a Gauss point, compactly, beside F, which actions find again from the displacement: a few products of stress
-  /// derivatives with w = weight det(dX/dxi); the entries from tangent_C on only if the stress depends on the strain rate. Fields of lanes.
+  /// The tangent at a Gauss point, compactly, beside F, which actions find again from the displacement or read behind it
+  /// (KernelModel::keep_gradient): a few products of stress derivatives with w = weight det(dX/dxi); the entries from tangent_C on only if
+  /// the stress depends on the strain rate. Fields of lanes.
   enum TangentValue
   {
     tangent_p         = 0, ///< p_h J w
@@ -106,12 +108,15 @@ namespace myolines
     step_by_rate  = 99  ///< 81: dP/dF_rate, only if stresses depend on it
   };
 
+  /// Narrow vectors wait for arithmetic, wide ones for memory: measured, see doc/decisions/what-solvers-keep.md.
+  inline bool keeps_gradient(const InstructionSet set) { return set != InstructionSet::avx512; }
+
   /// Fields of a point in the tangent of a batch.
   inline int point_tangent_size(const KernelModel &model)
   {
     if (model.before != nullptr)
       return step_by_rate + (model.velocities() ? 81 : 0);
-    return model.rate ? tangent_size_rate : tangent_size_0;
+    return (model.rate ? tangent_size_rate : tangent_size_0) + (model.keep_gradient ? 9 : 0);
   }
 
   /// The volume in the tangent of a batch. S is M_p^(-1) [int Psi_vol'' phi phi^T] M_p^(-1), phi the modes and M_p their
