@@ -207,7 +207,9 @@ namespace myolines
       for (const auto node : space.face_nodes(face))
         for (unsigned int c = 0; c < 3; ++c)
           if (!facts.ties)
-            EXPECT_EQ(constraints.is_constrained(3 * node + c), facts.prescribed[c]);
+            {
+              EXPECT_EQ(constraints.is_constrained(3 * node + c), facts.prescribed[c]);
+            }
     }
 
     TEST_P(EveryCondition, TiesTheFaceAsItSays)
@@ -322,7 +324,9 @@ namespace myolines
       const auto            reactions = measure_reactions(on.system, on.state);
       ASSERT_EQ(reactions.size(), facts.reacts() ? 1u : 0u);
       if (facts.reacts())
-        EXPECT_EQ(reactions[0].own.size(), facts.columns.size());
+        {
+          EXPECT_EQ(reactions[0].own.size(), facts.columns.size());
+        }
       std::ifstream     page(test::source_folder() + "/doc/boundary_conditions.md");
       const std::string text{std::istreambuf_iterator<char>(page), {}};
       EXPECT_NE(text.find("`" + GetParam().name + "`"), std::string::npos);

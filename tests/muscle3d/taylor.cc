@@ -306,8 +306,6 @@ namespace myolines
         return results;
       };
       const std::vector<Vector> widest = results_of(widest_instruction_set());
-      constexpr double          half =
-          2e-3; // four times the rounding of patches in half precision, which are in single where no instruction converts
       for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
         if (set < widest_instruction_set())
           {
