@@ -61,10 +61,9 @@ namespace myolines
           {
             const BoundaryFacts      &facts   = condition->facts();
             const SurfaceForces      &surface = system_.surface_forces();
-            const SurfaceForces::Work work    = facts.pushes ? surface.work(point, condition.get()) : SurfaceForces::Work{};
-            const double              load    = facts.loads && moves() ? surface.load_power(point, *condition) : 0;
+            const SurfaceForces::Work work    = facts.supports ? surface.work(point, condition.get()) : SurfaceForces::Work{};
             if (moves())
-              row.push_back(constrained[facts.name] + load + work.on_body);
+              row.push_back(constrained[facts.name] + surface.power_on_body(point, *condition));
             if (facts.supports)
               row.push_back(work.energy);
             if (facts.supports && moves())

@@ -234,7 +234,7 @@ namespace myolines
   {
     const CurrentGhosts u(at.u), v(at.v);
     const Point         point{at.t, at.side, u.vector(), v.vector(), at.a};
-    std::vector<double> sums(4);
+    std::vector<double> sums(3);
     for_each_point(pushing, [&](const Face &face, const std::size_t q) {
       if (of != nullptr && of != face.condition)
         return;
@@ -243,13 +243,12 @@ namespace myolines
       sums[0] += condition.energy(point.t, point.side, face.points[q], x);
       sums[1] += condition.power(point.t, point.side, face.points[q], x);
       sums[2] += condition.dissipation(point.t, point.side, face.points[q], x);
-      sums[3] += condition.force(point.t, point.side, face.points[q], x) * x.v;
     });
     dealii::Utilities::MPI::sum(sums, d_.communicator, sums);
-    return {sums[0], sums[1], sums[2], sums[3]};
+    return {sums[0], sums[1], sums[2]};
   }
 
-  double SurfaceForces::load_power(const Point &at, const BoundaryCondition &condition) const
+  double SurfaceForces::power_on_body(const Point &at, const BoundaryCondition &condition) const
   {
     const CurrentGhosts u(at.u), v(at.v);
     const Point         point{at.t, at.side, u.vector(), v.vector(), at.a};
@@ -257,6 +256,12 @@ namespace myolines
     for_each_point(loading, [&](const Face &face, const std::size_t q) {
       if (face.condition == &condition)
         sum += condition.load(point.t, point.side, face.points[q]) * motion(face, q, point, true).v;
+    });
+    for_each_point(pushing, [&](const Face &face, const std::size_t q) {
+      if (face.condition != &condition)
+        return;
+      const FaceMotion x = motion(face, q, point, true);
+      sum += condition.force(point.t, point.side, face.points[q], x) * x.v;
     });
     return dealii::Utilities::MPI::sum(sum, d_.communicator);
   }

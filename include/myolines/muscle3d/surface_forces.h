@@ -43,19 +43,18 @@ namespace myolines
     /// Of all faces of owned and ghost cells, ghosts as above.
     std::vector<Tangent> tangents(const Point &point, bool symmetrised) const;
 
-    /// What forces that depend on the motion do, of all ranks: d(energy)/dt = power - dissipation - on_body.
+    /// What forces that depend on the motion do, of all ranks: d(energy)/dt = power - dissipation - their power on the body.
     struct Work
     {
       double energy      = 0; ///< that they store [J]
       double power       = 0; ///< from outside [W]
       double dissipation = 0; ///< >= 0 [W]
-      double on_body     = 0; ///< [W]
     };
     /// Collective. @p of: of one condition alone.
     Work work(const Point &point, const BoundaryCondition *of = nullptr) const;
 
-    /// Power of the dead loads of @p condition on the body, over all ranks [W].
-    double load_power(const Point &point, const BoundaryCondition &condition) const;
+    /// Power of all forces of @p condition on the body, dead loads included, over all ranks [W].
+    double power_on_body(const Point &point, const BoundaryCondition &condition) const;
 
     /// Sums over the face of @p condition, over all ranks [N].
     Vector3 force(const Point &point, const BoundaryCondition &condition) const;
