@@ -4,6 +4,7 @@
 #include <myolines/algebra/current_ghosts.h>
 
 #include <myolines/fem/block_matrix.h>
+#include <myolines/fem/nested_dissection.h>
 #include <myolines/fem/vertex_stars.h>
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/surface_forces.h>
@@ -30,13 +31,14 @@ namespace myolines
 
     void refill(const Point &point, const Activation &activation);
 
-    void                  apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
-    bool                  action_is_cheap() const override { return true; }
-    const SparseMatrix   &sparse(const WeightsByOrder &weights) override { return assemble(weights, false); }
-    const SparseMatrix   &softened_sparse(const WeightsByOrder &weights) override { return assemble(weights, true); }
-    const MultilevelData *multilevel() const override;
-    bool                  has_two_levels() const override { return discretisation_.space->degree() > 1; }
-    TwoLevel             *two_level(const WeightsByOrder &weights, bool softened) override;
+    void                             apply(const WeightsByOrder &weights, const Vector &x, Vector &y) const override;
+    bool                             action_is_cheap() const override { return true; }
+    const SparseMatrix              &sparse(const WeightsByOrder &weights) override { return assemble(weights, false); }
+    const SparseMatrix              &softened_sparse(const WeightsByOrder &weights) override { return assemble(weights, true); }
+    const MultilevelData            *multilevel() const override;
+    bool                             has_two_levels() const override { return discretisation_.space->degree() > 1; }
+    std::optional<FactorisationCost> factorisation_cost() const override { return nested_dissection(*discretisation_.space); }
+    TwoLevel                        *two_level(const WeightsByOrder &weights, bool softened) override;
 
     const LocalEquations *local() const override { return this; }
     Vector                make_local() const override { return discretisation_.modes->make_vector(); }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "direct_takeover.h"
 #include "krylov_system.h"
 #include "krylov_vectors.h"
 
@@ -81,6 +82,7 @@ namespace myolines
 
     TangentOperator                              tangent_;
     std::unique_ptr<Preconditioner>              preconditioner_;
+    DirectTakeover                               takeover_;
     bool                                         kept_   = false; ///< it is for the system with local unknowns,
     double                                       weight_ = 0;     ///< of u
     std::unique_ptr<LocalEquations::Elimination> elimination_;    ///< and these belong to it
@@ -102,7 +104,11 @@ namespace myolines
     const WorkLedger::Timer timer(ledger_, "preconditioner");
     ledger_.count("preconditioner set-ups");
     if (!preconditioner_)
-      preconditioner_ = make_preconditioner(node_, {tangent_.layout().size(), linearisation.has_two_levels(), ledger_});
+      {
+        const std::size_t n = tangent_.layout().size();
+        preconditioner_     = make_preconditioner(node_, {n, linearisation.has_two_levels(), ledger_});
+        takeover_           = {node_, linearisation, n, dealii::Utilities::MPI::n_mpi_processes(tangent_.layout().get_mpi_communicator())};
+      }
     outdated_ = true; // until the set-up has succeeded
     preconditioner_->build(tangent_);
     elimination_ = kept != nullptr ? kept->eliminate(!preconditioner_->exact()) : nullptr;
@@ -338,11 +344,18 @@ namespace myolines
               report = attempt(symmetric, system, all, solution, local, tolerance, enough);
             }
             iterations += report.iterations;
-            if (report.converged || fresh)
+            watch(report.iterations, tolerance);
+            const bool change = takeover_.due(report);
+            if (change)
+              {
+                preconditioner_ = make_direct();
+                outdated_       = true;
+                ledger_.count("changes to direct solves");
+              }
+            if (report.converged || (fresh && !change))
               break;
             build(linearisation, kept);
           }
-        watch(report.iterations, tolerance);
       }
     catch (const std::exception &error)
       {

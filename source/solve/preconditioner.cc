@@ -39,9 +39,11 @@ namespace myolines
     PreconditionerEntry automatic_entry()
     {
       PreconditionerEntry entry;
-      entry.name    = "automatic";
-      entry.summary = "direct for small systems; above, p multigrid where the system has two levels, else ml.";
-      entry.schema  = scene::Schema(entry.summary);
+      entry.name = "automatic";
+      entry.summary =
+          "direct for small systems; above, p multigrid where the system has two levels, else ml. Where p multigrid takes so many "
+          "iterations that sparse factors are cheaper, as in flat bodies, direct takes over.";
+      entry.schema = scene::Schema(entry.summary);
       entry.schema
           .integer("direct up to", 5000, scene::Range::not_negative(),
                    "Largest number of unknowns for which direct is taken, if p multigrid could be.")

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "direct_takeover.h"
+
 #include <myolines/solve/linear_solver.h>
 #include <myolines/solve/preconditioner.h>
 #include <myolines/system/band_linearisation.h>
@@ -60,15 +62,17 @@ namespace myolines
     if (automatic && dynamic_cast<const BandLinearisation *>(&linearisation) != nullptr)
       return {jacobian, "linear solves: banded and direct, factors kept while Jacobian and step size stay; no Krylov solver is set up"};
 
-    const std::string type = automatic ? automatic_choice(preconditioner, n_unknowns, two_levels) : wanted;
-    const std::string form = linear.text("operator");
-    const bool        free = form == "matrix-free" || (form == "automatic" && linearisation.action_is_cheap());
-    const std::string why  = form == "automatic" ? (free ? " (its action is cheaper)" : " (no fast action)") : " (as asked)";
+    const std::string  type  = automatic ? automatic_choice(preconditioner, n_unknowns, two_levels) : wanted;
+    const std::string  form  = linear.text("operator");
+    const bool         free  = form == "matrix-free" || (form == "automatic" && linearisation.action_is_cheap());
+    const unsigned int ranks = dealii::Utilities::MPI::job_supports_mpi() ? dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) : 1;
+    const std::string  why   = form == "automatic" ? (free ? " (its action is cheaper)" : " (no fast action)") : " (as asked)";
     return {jacobian, "tangent in Krylov solves: " + std::string(free ? "matrix-free" : "assembled") + why,
             "preconditioner: " + type +
                 (automatic ? " (automatic: " + std::to_string(n_unknowns) + " unknowns, " + (two_levels ? "two levels" : "one level") + ")"
                            : " (as asked)") +
-                (free && type == "p multigrid" ? "; no matrix of the fine level is assembled" : ""),
+                (free && type == "p multigrid" ? "; no matrix of the fine level is assembled" : "") +
+                DirectTakeover(preconditioner, linearisation, n_unknowns, ranks).words(),
             "preconditioner: " + rebuilding(preconditioner.text("rebuild"))};
   }
 } // namespace myolines

@@ -86,12 +86,13 @@ def one_step(program, _quick):
 
 
 def hold(program, quick):
-    for method in METHODS[:3] if quick else METHODS:
-        settings = {"system/geometry/refinement": 1, "system/discretisation/quadrature points": 3, "time/step": 0.025, "time/end": 3,
-                    "integrator/type": method, "time/control/type": "cut back"}
-        if method == "wilson theta":
-            settings["time/boundary rates"] = "exact"
-        yield [method] + run(program, os.path.join(INPUT, "isometric_block.xml"), settings)
+    for step in [0.025] if quick else [0.001, 0.01, 0.025, 0.05]:
+        for method in METHODS[:3] if quick else METHODS:
+            settings = {"system/geometry/refinement": 1, "system/discretisation/quadrature points": 3, "time/step": step, "time/end": 3,
+                        "integrator/type": method, "time/control/type": "cut back"}
+            if method == "wilson theta":
+                settings["time/boundary rates"] = "exact"
+            yield [method, step] + run(program, os.path.join(INPUT, "isometric_block.xml"), settings)
 
 
 def slender(program, quick):
@@ -136,7 +137,7 @@ def cook_mesh(path, n):
 
 
 def cook(program, quick):
-    for n in [4, 8] if quick else [4, 8, 16]:
+    for n in [4, 8] if quick else [4, 8, 16, 32]:
         with tempfile.TemporaryDirectory() as folder:
             cook_mesh(os.path.join(folder, "cook.msh"), n)
             scene = os.path.join(folder, "cook.xml")
@@ -156,7 +157,7 @@ def indented(program, quick):
 CASES = {"block": ("Isometric block, backward Euler, 8 steps of 0.025 s", ["refinement", "kappa [Pa]"], block),
          "kinked": ("Kinked block, refinement 2", ["kappa [Pa]", "method", "steps"], kinked),
          "one": ("One step of 0.2 s", ["what", "kappa [Pa]"], one_step),
-         "hold": ("Isometric block, fully active, held until 3 s, steps of 0.025 s", ["method"], hold),
+         "hold": ("Isometric block, fully active, held until 3 s", ["method", "step [s]"], hold),
          "slender": ("Passive cantilever bent by its weight in one step", ["length over height", "N/m^3", "refinement"], slender),
          "cook": ("Cook's membrane, kappa/mu = 5000, five steps", ["cells"], cook),
          "indented": ("Indented block, ten steps", ["refinement", "p/p0"], indented)}

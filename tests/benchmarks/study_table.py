@@ -4,7 +4,7 @@
 
 Runs the study, one case at a time, and prints its quantities: a row for every point of the axes of --rows, a column for every point of those of --columns
 and every quantity, or with --together all quantities in one. Cases at the same points of both stand side by side in one cell. Quantities
-are those of study.csv and seconds.csv; "fails" stands where a run did. --equal-error WORKS prints instead what these cost at the target of a
+are those of study.csv and seconds.csv; "fails" stands where a run did. --initials prints words as their first letters. --equal-error WORKS prints instead what these cost at the target of a
 work-precision study, as equal_error.csv has it.
 $MYOLINES_RESULTS, if set, is where the study's folder is kept: called again with it, nothing is run again.
 """
@@ -64,6 +64,8 @@ def labels(rows, axes):
 
 def entry(rows, names, given):
     """One cell: quantities together, cases side by side."""
+    if given.initials:
+        return " ".join((row[name] if row["status"] == "done" else row["status"])[:1] for row in rows for name in names)
     parts = []
     for row in rows:
         if row["status"] != "done":
@@ -134,6 +136,7 @@ def main():
     arguments.add_argument("--values", nargs="+", default=[], metavar="QUANTITY")
     arguments.add_argument("--together", action="store_true")
     arguments.add_argument("--only", nargs="+", default=[], metavar="AXIS=POINT|POINT")
+    arguments.add_argument("--initials", action="store_true")
     arguments.add_argument("--digits", type=int, default=2)
     arguments.add_argument("--equal-error", nargs="+", default=[], metavar="WORK")
     given = arguments.parse_args()

@@ -21,7 +21,11 @@ namespace myolines
     struct Problem
     {
       explicit Problem(const MultigridCase &c)
-        : system(parameters(c), MPI_COMM_WORLD, ledger)
+        : Problem(parameters(c), c)
+      {}
+
+      Problem(const Muscle3dParameters &p, const MultigridCase &c)
+        : system(p, MPI_COMM_WORLD, ledger)
       {
         if (c.distorted)
           system.move_mesh(test::distort);
@@ -129,6 +133,33 @@ namespace myolines
           EXPECT_EQ(problem.ledger.counted("stored tangents"), n_points == 3 ? 1u : 2u);
           EXPECT_EQ(problem.ledger.counted("lean tangent actions") > 0, n_points == 5);
         }
+    }
+
+    TEST(AutomaticPreconditioner, GoesOverToFactorsWhereTheyAreCheaper)
+    {
+      const auto solve = [](const Muscle3dParameters &p, const MultigridCase &c, const double tolerance, const unsigned int changes) {
+        Problem          problem(p, c);
+        testing::Solvers solvers({}, {}, {"type=automatic", "direct up to=0"});
+        Vector           x(problem.b);
+        for (unsigned int i = 0; i < 4; ++i)
+          {
+            const LinearReport report = solvers.linear.solve(*problem.linearisation, stage_weights(1, 40, 1600),
+                                                             problem.system.constraints(), problem.symmetric, problem.b, x, tolerance);
+            EXPECT_TRUE(report.converged) << report.reason;
+          }
+        EXPECT_EQ(solvers.ledger.counted("changes to direct solves"), changes);
+        Vector expected = problem.solve("direct", "assembled", 1e-10).second;
+        expected -= x;
+        EXPECT_LT(expected.l2_norm(), 1e3 * tolerance * x.l2_norm());
+      };
+      MultigridCase      c{2, 3, 1, 0, 1e7, false, true, 0};
+      Muscle3dParameters sheet = Problem::parameters(c);
+      sheet.geometry.size      = {{0.016, 0.016, 0.0004}};
+      sheet.geometry.cells     = {{8, 8, 1}};
+      solve(sheet, c, 1e-6, 1);
+      c.refinement   = 2;
+      c.bulk_modulus = 1e6;
+      solve(Problem::parameters(c), c, 1e-2, 0);
     }
 
     TEST(PMultigridSolver, IsReproducible)

@@ -8,10 +8,18 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace myolines
 {
+  /// What sparse LU factors cost: sums over the dense fronts of an elimination, of their numbers of unknowns.
+  struct FactorisationCost
+  {
+    double cubes   = 0; ///< operations are a few times as many
+    double squares = 0; ///< entries are a few times as many
+  };
+
   /// What multilevel preconditioners may know beyond the matrix.
   struct MultilevelData
   {
@@ -106,6 +114,9 @@ namespace myolines
 
     /// Data for multilevel preconditioners, or nullptr where the system has none. Independent of the weights.
     virtual const MultilevelData *multilevel() const { return nullptr; }
+
+    /// An estimate for the matrix of sparse(); none where the system has none. Independent of the state.
+    virtual std::optional<FactorisationCost> factorisation_cost() const { return std::nullopt; }
 
     /// Whether two_level() gives something.
     virtual bool has_two_levels() const { return false; }
