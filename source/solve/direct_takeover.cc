@@ -18,7 +18,7 @@ namespace myolines
     const std::optional<FactorisationCost> cost = linearisation.factorisation_cost();
     if (!cost)
       return;
-    constexpr double largest = 1e9; // [B]; more than that is for those who ask for direct
+    constexpr double largest = 1e9;  // [B]; more than that is for those who ask for direct
     constexpr double matrix  = 6000; // [B] per unknown, with its copies
     bytes_                   = 13 * sizeof(double) * cost->squares + matrix * static_cast<double>(n_unknowns);
     if (bytes_ > largest)

@@ -141,7 +141,7 @@ namespace myolines
             steps_.taken(cut == 0 ? problem_.importance(dx) : std::nullopt);
             return alpha;
           }
-        if (cut == options_.maximum_cuts)
+        if (cut == std::min(options_.maximum_cuts, problem_.most_cuts()))
           {
             fail_search(from, dx, to, cut, alpha);
             return std::nullopt;

@@ -99,6 +99,9 @@ namespace myolines
     /// force-velocity curve, and steps that go on from there wander.
     unsigned int patience() const override { return bold_ && start_.any() && !work_.capabilities.rates ? 12 : 0; }
 
+    /// Where rates matter a bold solve that has to shorten its steps comes to nothing.
+    unsigned int most_cuts() const override { return predicts() && work_.capabilities.rates ? 1 : NonlinearProblem::most_cuts(); }
+
     bool open_rates(const Vector &d) override;
     void keep_open(const double share) override { open_ = share; }
     void lift_rates(Vector &y) override;

@@ -43,6 +43,25 @@ namespace myolines
 
     INSTANTIATE_TEST_SUITE_P(Steps, NewtonIterations, ::testing::Values(8u, 16u, 32u));
 
+    // A fifth of its length within one step, while it is activated: the first guess from the velocity leads nowhere, which shows at once.
+    TEST(NewtonIterationsOf, AFastPullInOneStepAreFew)
+    {
+      for (const double bulk_modulus : {1e7, 1e9})
+        {
+          Muscle3dParameters p    = isometric();
+          p.n_points              = 3;
+          p.muscle().bulk_modulus = bulk_modulus;
+          p.boundary              = {test::condition(
+                                         "strain", 1,
+                                         {"strain/type=control points", "strain/points=0 0; 0.2 0.2", test::set("reference length", p.geometry.size[0])},
+                                         "moving end"),
+                                     test::held(0, "x y z", "fixed end")};
+          test::Simulation simulation(p, {"relative tolerance=1e-15", "absolute tolerance=1e-8"});
+          simulation.go("backward euler", 1, 0.2, [](const State &) {});
+          EXPECT_LE(simulation.solvers.ledger.counted("newton iterations"), 13u) << bulk_modulus;
+        }
+    }
+
     TEST(NewtonIterationsOf, TheSymmetrisedTangentAreMore)
     {
       unsigned int iterations[2];

@@ -3,6 +3,7 @@
 
 #include <myolines/system/linearisation.h>
 
+#include <limits>
 #include <optional>
 
 namespace myolines
@@ -61,6 +62,9 @@ namespace myolines
     /// How many Newton steps in a row the line search may wait until the residual is below that before them, where a shortened step counts
     /// as four; 0: every step has to lower it.
     virtual unsigned int patience() const { return 0; }
+
+    /// Cuts of a step after which the solve is given up, at most: another first guess promises more.
+    virtual unsigned int most_cuts() const { return std::numeric_limits<unsigned int>::max(); }
 
     /// Whether F is affine: a direct solve then ends at the root, where only rounding is left of the residual.
     virtual bool affine() const { return false; }
