@@ -32,7 +32,7 @@ namespace myolines
 
     void require_equilibrium(const Muscle3dSystem &body, const Node &node, const std::string &parameter)
     {
-      if (body.parameters().initial.displacement)
+      if (body.parameters().initial.has_displacement())
         node.refuse(parameter, "the scene gives initial displacements, which an equilibrium would replace",
                     "\"as given\", or no displacements in \"system/initial motion\"");
       refuse_free_motions(body, node, parameter, "an equilibrium");

@@ -27,7 +27,8 @@ namespace myolines::scene
           {"1", '1', 1},       {"%", '1', 1e-2},       {"%MVC", '1', 1e-2},    {"% MVC", '1', 1e-2},
           {"Pa", 'p', 1},      {"kPa", 'p', 1e3},      {"MPa", 'p', 1e6},      {"V", 'v', 1},
           {"mV", 'v', 1e-3},   {"uV", 'v', 1e-6},      {"\u00b5V", 'v', 1e-6}, {"degree", 'a', 1},
-          {"degrees", 'a', 1}, {"deg", 'a', 1},        {"\u00b0", 'a', 1},     {"rad", 'a', 180 / 3.14159265358979323846}};
+          {"degrees", 'a', 1}, {"deg", 'a', 1},        {"\u00b0", 'a', 1},     {"rad", 'a', 180 / 3.14159265358979323846},
+          {"m/s", 'w', 1},     {"cm/s", 'w', 1e-2},    {"mm/s", 'w', 1e-3}};
       const auto found = std::find_if(std::begin(units), std::end(units), [&](const Unit &unit) { return name == unit.name; });
       return found == std::end(units) ? nullptr : found;
     }

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
 namespace myolines
 {
   namespace
@@ -135,6 +138,108 @@ namespace myolines
           EXPECT_DOUBLE_EQ(state.u(3 * node + 2), held ? 0 : 1e-4);
         }
       EXPECT_EQ(state.v.linfty_norm(), 0);
+    }
+
+    /// "n" hexahedra per edge of a box around the block, of degree 1, with the linear motion u = (0.1 x, 0.02 z, 1e-4) and v = -u/s.
+    std::string mesh_of_motion(const Muscle3dParameters &p, const unsigned int n, const double scale)
+    {
+      std::ostringstream points, cells, ends, types, u, v;
+      points.precision(17);
+      u.precision(17);
+      v.precision(17);
+      const auto place = [n](const unsigned int i, const unsigned int j, const unsigned int k) { return i + (n + 1) * (j + (n + 1) * k); };
+      for (unsigned int k = 0; k <= n; ++k)
+        for (unsigned int j = 0; j <= n; ++j)
+          for (unsigned int i = 0; i <= n; ++i)
+            {
+              const double x = p.geometry.size[0] * i / n, y = p.geometry.size[1] * j / n, z = p.geometry.size[2] * k / n;
+              points << x / scale << " " << y / scale << " " << z / scale << "\n";
+              u << 0.1 * x / scale << " " << 0.02 * z / scale << " " << 1e-4 / scale << "\n";
+              v << -0.1 * x / scale << " " << -0.02 * z / scale << " " << -1e-4 / scale << "\n";
+            }
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int j = 0; j < n; ++j)
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              cells << place(i, j, k) << " " << place(i + 1, j, k) << " " << place(i + 1, j + 1, k) << " " << place(i, j + 1, k) << " "
+                    << place(i, j, k + 1) << " " << place(i + 1, j, k + 1) << " " << place(i + 1, j + 1, k + 1) << " "
+                    << place(i, j + 1, k + 1) << "\n";
+              ends << 8 * (1 + i + n * (j + n * k)) << "\n";
+              types << "12\n";
+            }
+      const std::string array = "<DataArray type=\"Float64\" format=\"ascii\" NumberOfComponents=\"3\" Name=\"";
+      const std::string whole = "<DataArray type=\"Int64\" format=\"ascii\" Name=\"";
+      return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid><Piece NumberOfPoints=\"" +
+             std::to_string((n + 1) * (n + 1) * (n + 1)) + "\" NumberOfCells=\"" + std::to_string(n * n * n) + "\"><Points>" + array +
+             "p\">" + points.str() + "</DataArray></Points><Cells>" + whole + "connectivity\">" + cells.str() + "</DataArray>" + whole +
+             "offsets\">" + ends.str() + "</DataArray>" + whole + "types\">" + types.str() + "</DataArray></Cells><PointData>" + array +
+             "Displacement\">" + u.str() + "</DataArray>" + array + "velocity\">" + v.str() +
+             "</DataArray></PointData></Piece></UnstructuredGrid></VTKFile>";
+    }
+
+    void expect_the_linear_motion(const Muscle3dParameters &p)
+    {
+      WorkLedger           ledger;
+      const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
+      const State          state = system.initial_state(0);
+      const NodeSpace     &space = *system.discretisation().space;
+      for (const auto node : space.nodes().locally_owned_dofs())
+        {
+          const dealii::Point<3> &x   = space.node_position(node);
+          const double            u[] = {0.1 * x[0], 0.02 * x[2], 1e-4};
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              EXPECT_NEAR(state.u(3 * node + c), u[c], 1e-15);
+              EXPECT_NEAR(state.v(3 * node + c), -u[c], 1e-15);
+            }
+        }
+    }
+
+    TEST(InitialMotion, IsThatOfAMeshWhereverItsPointsAre)
+    {
+      for (const double scale : {1., 1e-3})
+        for (const unsigned int degree : {2u, 3u})
+          {
+            Muscle3dParameters          p    = passive_block();
+            const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "motion.vtu";
+            std::ofstream(file) << mesh_of_motion(p, 3, scale);
+            p.boundary     = {};
+            p.degree       = degree;
+            p.n_points     = 4;
+            p.initial.file = std::make_shared<const MotionFile>(file, scale);
+            expect_the_linear_motion(p);
+          }
+    }
+
+    TEST(InitialMotion, IsThatOfATableOfItsNodes)
+    {
+      Muscle3dParameters p = passive_block();
+      p.boundary           = {};
+      WorkLedger                  ledger;
+      const Muscle3dSystem        system(p, MPI_COMM_WORLD, ledger);
+      const NodeSpace            &space = *system.discretisation().space;
+      const std::filesystem::path file  = std::filesystem::path(::testing::TempDir()) / "motion.csv";
+      const auto                  write = [&](const unsigned int left_out) {
+        std::ofstream table(file);
+        table.precision(17);
+        table << "velocity x [mm/s],velocity y [mm/s],velocity z [mm/s],x [mm],y [mm],z [mm],displacement x [m],displacement y "
+                                  "[m],displacement z [m]\n";
+        unsigned int row = 0;
+        for (const auto node : space.nodes().locally_owned_dofs())
+          {
+            const dealii::Point<3> &x = space.node_position(node);
+            if (row++ != left_out)
+              table << -100 * x[0] << "," << -20 * x[2] << "," << -0.1 << "," << 1000 * x[0] << "," << 1000 * x[1] << "," << 1000 * x[2]
+                    << "," << 0.1 * x[0] << "," << 0.02 * x[2] << "," << 1e-4 << "\n";
+          }
+      };
+      write(-1);
+      p.initial.file = std::make_shared<const MotionFile>(file);
+      expect_the_linear_motion(p);
+      write(7);
+      p.initial.file = std::make_shared<const MotionFile>(file);
+      const Muscle3dSystem incomplete(p, MPI_COMM_WORLD, ledger);
+      EXPECT_THROW(incomplete.initial_state(0), InputError);
     }
   } // namespace
 } // namespace myolines

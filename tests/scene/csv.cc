@@ -205,6 +205,7 @@ namespace
     EXPECT_EQ(split_column_name("share (%)").unit, "%");
     EXPECT_EQ(split_column_name("plain").unit, "");
     EXPECT_DOUBLE_EQ(*unit_factor("mm", "m"), 1e-3);
+    EXPECT_DOUBLE_EQ(*unit_factor("mm/s", "m/s"), 1e-3);
     EXPECT_DOUBLE_EQ(*unit_factor("kN", "N"), 1e3);
     EXPECT_DOUBLE_EQ(*unit_factor("%", "-"), 1e-2);
     EXPECT_DOUBLE_EQ(*unit_factor("%MVC", "-"), 1e-2);
