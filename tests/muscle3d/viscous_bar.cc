@@ -91,5 +91,39 @@ namespace myolines
         }
       EXPECT_GE(tried, 10u);
     }
+
+    /// u_y = A sin(k x) cos(w t) with w = k sqrt(mu/rho) is an exact motion of incompressible neo-Hookean material at any amplitude: simple
+    /// shear g = A k cos(k x) cos(w t) keeps the volume, and with the pressure mu g^2/3 no normal stress acts along x or z, nor on faces
+    /// across y.
+    TEST(ShearWave, OfLargeAmplitudeSwingsAsInClosedFormWithThePressureOfItsShear)
+    {
+      const double       shear = 0.3, A = shear / wave /* 0.3 2 0.03/pi */, mu = 2 * c1, omega = wave * std::sqrt(mu / density);
+      const double       period = 2 * 3.14159265358979324 / omega;
+      Muscle3dParameters p      = shear_wave();
+      p.geometry.cells          = {{8, 1, 1}};
+      p.muscle().laws.clear();
+      p.muscle().bulk_modulus = 1e9;
+      p.boundary              = {test::held(0, "x y z", "foot"), test::held(2, "x"), test::held(3, "x")};
+      p.initial.velocity.reset();
+      p.initial.displacement = std::array<std::string, 3>{{"0", "0.3*2*0.03/pi*sin(pi/2*x/0.03)", "0"}};
+      test::Simulation column(p);
+      const double     area = p.geometry.size[1] * p.geometry.size[2];
+      double           head = 0, along = 0, across = 0;
+      column.go("sdirk3", 80, period, [&](const State &state) {
+        const double swing = std::cos(omega * state.t);
+        head               = std::max(head, std::abs(test::displacement(column, test::corner)[1] - A * swing));
+        if (state.t < period / 2) // the start has no pressure yet, and stiff waves of it have to die out
+          return;
+        for (const Reaction &reaction : measure_reactions(column.system, state))
+          if (reaction.condition == "foot")
+            {
+              along  = std::max(along, std::abs(reaction.force[0]));
+              across = std::max(across, std::abs(reaction.force[1] + mu * shear * swing * area));
+            }
+      });
+      EXPECT_LT(head, 1e-3 * A);
+      EXPECT_LT(across, 1e-3 * mu * shear * area);
+      EXPECT_LT(along, 1e-3 * mu * shear * shear / 3 * area);
+    }
   } // namespace
 } // namespace myolines
