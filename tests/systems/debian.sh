@@ -5,7 +5,7 @@
 # FOLDER becomes the root of the system (debootstrap), or is one that this script has made before; the sources go to FOLDER/src/myolines.
 # There it runs what the README says: `./myolines.sh run`, with --tests also `./myolines.sh test`, and `./myolines.sh package`. It installs
 # the packages, and outside the sources runs the installed program, its pages, a scene on two ranks, and a project that uses the library.
-# With CCACHE_DIR set, that compiler cache is used. Runs as root. Stops at the first step that fails and says which; exit code 1.
+# With CCACHE_DIR set, that compiler cache is used, with MYOLINES_JOBS so many jobs. Runs as root. Stops at the first step that fails and says which; exit code 1.
 set -euo pipefail
 
 if [ $# -lt 2 ] || [ "$(id -u)" -ne 0 ]; then
@@ -46,7 +46,7 @@ begin() {
 inside() {
   chroot "$root" /usr/bin/env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
     DEBIAN_FRONTEND=noninteractive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
-    OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe ${CCACHE_DIR:+CCACHE_DIR=/ccache} \
+    OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe ${CCACHE_DIR:+CCACHE_DIR=/ccache} ${MYOLINES_JOBS:+MYOLINES_JOBS="$MYOLINES_JOBS"} \
     bash -euo pipefail -c "$1"
 }
 
