@@ -12,7 +12,7 @@ if [ $# -lt 2 ] || [ "${3:---tests}" != --tests ]; then
   echo "usage, as root: debian.sh 12|13 FOLDER [--tests [CTEST ARGUMENTS]]" >&2
   exit 2
 fi
-source "$(dirname "$(readlink -f "$0")")/system.bash"
+source "$(dirname "$(readlink -f "$0")")/system.sh"
 release=$1
 built=$(realpath -m "$2")
 with_tests=${3:-}

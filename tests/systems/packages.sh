@@ -12,7 +12,7 @@ if [ $# -lt 3 ]; then
   echo "usage, as root: packages.sh 12|13 FOLDER PACKAGES [FETCHED]" >&2
   exit 2
 fi
-source "$(dirname "$(readlink -f "$0")")/system.bash"
+source "$(dirname "$(readlink -f "$0")")/system.sh"
 installed=$(realpath -m "$2")
 packages=$(realpath "$3")
 fetched=${4:-}
