@@ -28,7 +28,7 @@ rm -rf --one-file-system "$installed"
 mkdir -p "$installed/packages"
 enter "$installed"
 if [ -n "$fetched" ]; then
-  cp -al "$fetched"/*.deb "$installed/var/cache/apt/archives/"
+  ln -f "$fetched"/*.deb "$installed/var/cache/apt/archives/" 2>/dev/null || cp "$fetched"/*.deb "$installed/var/cache/apt/archives/"
 fi
 cp "$packages"/*.deb "$installed/packages/"
 inside "$installed" "apt-get install -y -qq /packages/myolines_*.deb man-db bash-completion >/dev/null"
