@@ -24,7 +24,7 @@ begin() {
 # What is mounted in SYSTEM goes; code 1 if something of it is busy.
 leave() {
   local place status=0
-  for place in ccache dev/shm dev sys proc; do
+  for place in ccache dev/shm dev/pts dev sys proc; do
     if mountpoint -q "$1/$place"; then
       umount "$1/$place" || status=1
     fi
@@ -47,7 +47,7 @@ enter() {
     }
   fi
   local place
-  for place in proc sys dev dev/shm; do
+  for place in proc sys dev dev/pts dev/shm; do
     mountpoint -q "$1/$place" || mount --bind "/$place" "$1/$place"
   done
   cp /etc/resolv.conf /etc/hosts "$1/etc/"
