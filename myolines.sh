@@ -34,6 +34,7 @@ usage: ./myolines.sh run SCENE [ARGUMENTS]   build the program if need be and ru
        ./myolines.sh manual                  build the manual as a site and as a book: build/manual/html/index.html, build/manual/myolines.pdf
        ./myolines.sh --help | --version
 
+As many files are compiled, and tests run, at a time as there are cores, or MYOLINES_JOBS of them if that variable is set.
 Missing Debian packages are installed by every command when it runs as root; otherwise they are named (exit code 2).
 TEXT
 }
@@ -63,8 +64,12 @@ install_packages() {
   apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
 }
 
-# One job per core, but no more than one per 2 GB of free memory: deal.II is heavy to compile.
+# MYOLINES_JOBS of them; else one job per core, but no more than one per 2 GB of free memory: deal.II is heavy to compile.
 build_jobs() {
+  if [ -n "${MYOLINES_JOBS:-}" ]; then
+    echo "$MYOLINES_JOBS"
+    return
+  fi
   local cores memory_kb limit
   cores=$(env -u OMP_NUM_THREADS nproc) # nproc heeds that variable
   memory_kb=$(awk '/^MemAvailable:/ { print $2 }' /proc/meminfo)

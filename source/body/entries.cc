@@ -92,7 +92,9 @@ namespace myolines
       times.push_back(1e-3 * i);
     for (int i = 1; i <= 2000; ++i)
       times.push_back(std::pow(10, 2.5e-3 * i));
-    const std::vector<double> kinks = drive.kinks(-1e9, 1e9);
+    std::vector<double> kinks; // of those that repeat for ever not all
+    for (double reach = 1; reach <= 1e9 && kinks.size() < 10000; reach *= 10)
+      kinks = drive.kinks(-reach, reach);
     times.insert(times.end(), kinks.begin(), kinks.end());
     times.insert(times.end(), {1e9, -1e9});
     double worst = 0, when = 0;

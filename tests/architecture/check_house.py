@@ -14,8 +14,8 @@ import sys
 
 LONGEST_FILE = 400
 LARGEST_ROOM = 0.12  # of the lines of all rooms
-SCANNED = ("include", "source", "integrators", "boundary", "outputs", "python")
-ROOM_OF_REGISTRY = {"integrators": "integrators", "boundary": "boundary", "outputs": "observers"}
+SCANNED = ("include", "source", "integrators", "boundary", "outputs", "profiles", "python")
+ROOM_OF_REGISTRY = {"integrators": "integrators", "boundary": "boundary", "outputs": "observers", "profiles": "system"}
 ROOM_OF_FOLDER = {**ROOM_OF_REGISTRY, "python": "python"}
 # Linked with all rooms at once: the program and what is made of the library.
 NO_TARGETS = ("main", "python")

@@ -10,7 +10,7 @@ for name in clang-format-14 clang-format; do
   fi
 done
 [ -n "${format:-}" ] || { echo "there is no clang-format 14" && exit 77; }
-files() { find source include integrators boundary outputs tests examples -name '*.cc' -o -name '*.h'; }
+files() { find source include integrators boundary outputs profiles tests examples -name '*.cc' -o -name '*.h'; }
 if [ "${2:-}" = --fix ]; then
   files | xargs -n 40 "$format" -i
   exit 0

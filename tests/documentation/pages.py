@@ -47,7 +47,7 @@ FORBIDDEN = {
 DEFINED = ["kink", "waist", "ledger", "lift", "land on", "slab", "overshoot", "ringing", "drift", "event", "restart", "case", "setting", "scene", "study", "profile",
            "room", "registry", "plug-in", "manifest", "checkpoint", "cut", "independent program", "errata N", "the thesis", "rank"]
 AVERAGE = 25
-FOLDERS = ("input", "integrators", "boundary", "outputs", "source", "include", "tests", "examples", "doc", "cmake")
+FOLDERS = ("input", "integrators", "boundary", "outputs", "profiles", "source", "include", "tests", "examples", "doc", "cmake")
 MEASURED = re.compile(r"^\*(Measured|Counted|Drawn) \d{4}-\d\d-\d\d[^*]*\bcommits? [0-9a-f]{7}\b[^*]*\b(commands?|tests)\b[^*]*\*$", re.M)
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 

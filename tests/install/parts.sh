@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# examples/muscle_parts is built against an installed library; its law, support and table are right: parts.sh BUILD_FOLDER SOURCE_FOLDER
+# examples/muscle_parts is built against an installed library; its law, support, table and profile are right: parts.sh BUILD_FOLDER SOURCE_FOLDER
 # SCRATCH_FOLDER
 set -euo pipefail
 rm -rf "$3"
@@ -125,3 +125,28 @@ cmp pulled/furthest.csv free/furthest.csv
 sed "s|<ParameterList name=\"boundary\">|&${wall//x+/y+}|" prefix/share/myolines/input/isometric_block.xml >block.xml
 "$myolines" run block.xml --quiet --out block --set plug-ins=muscle-parts --set time/end=0.01 --set system/geometry/refinement=1
 "$myolines" compare block block >/dev/null
+
+# A profile of the plug-in drives any system. A force 4 sin^2(pi t/T) on a mass of 1 kg and a spring of 1 N/m, over after T = 1.5 s: until then
+# u = 2 (1 - cos t) - 2 (cos Wt - cos t)/(1 - W^2), W = 2 pi/T. Steps end where it ends, and where the next begins.
+bursts=(--set plug-ins=muscle-parts --set system/force/type=bursts --set system/force/amplitude=4 --set system/force/duration=1.5
+  --set system/force/period=2.25 --set system/displacement=0 --set integrator/type=newmark)
+"$myolines" list profiles | grep '^bursts$' >/dev/null || fail "list profiles does not name it"
+oscillator=prefix/share/myolines/input/oscillator.xml
+"$myolines" check "$oscillator" "${bursts[@]}" | grep '^Plug-in: muscle-parts.*profile bursts' >/dev/null || fail "check does not name the profile"
+"$myolines" run "$oscillator" "${bursts[@]}" --quiet --out bursts --set time/end=1.5 --set time/step=0.001
+near "$(last 'Displacement [m]' bursts/trajectory.csv)" \
+  "$(awk 'BEGIN { pi = atan2(0, -1); T = 1.5; W = 2 * pi / T; print 2 * (1 - cos(T)) - 2 * (1 - cos(T)) / (1 - W^2) }')" 1e-5
+"$myolines" run "$oscillator" "${bursts[@]}" --quiet --out bursts_coarse --set time/end=4 --set time/step=0.7
+for instant in 1.5 2.25 3.75; do
+  grep -q "^$instant," bursts_coarse/trajectory.csv || fail "no step ends at $instant s: $(cut -d, -f1 bursts_coarse/trajectory.csv)"
+done
+status=0
+"$myolines" check "$oscillator" "${bursts[@]}" --set system/force/period=1 >refused.txt 2>&1 || status=$?
+[ $status -eq 2 ] && grep -q 'system/force/period' refused.txt || fail "bursts that overlap are not refused: $(cat refused.txt)"
+# It repeats for ever, and the whole of an activation is looked at before a run.
+"$myolines" check block.xml --set plug-ins=muscle-parts --set system/activation/type=bursts --set system/activation/amplitude=0.5 \
+  --set system/activation/duration=0.01 >/dev/null
+status=0
+"$myolines" check block.xml --set plug-ins=muscle-parts --set system/activation/type=bursts --set system/activation/amplitude=1.5 \
+  --set system/activation/duration=0.1 >refused.txt 2>&1 || status=$?
+[ $status -eq 2 ] && grep -q 'the activation is 1.5' refused.txt || fail "an activation of 1.5 is not refused: $(cat refused.txt)"

@@ -5,6 +5,7 @@
 #include <myolines/cli/catalogue.h>
 #include <myolines/materials/laws.h>
 #include <myolines/observers/muscle3d_series.h>
+#include <myolines/system/profiles.h>
 #include <myolines/time/integrator.h>
 
 #include <filesystem>
@@ -26,6 +27,7 @@ namespace myolines
     void add(LawKind kind) { put(law_kinds(), std::move(kind)); }
     void add(BoundaryEntry entry) { put(boundary_registry(), std::move(entry)); }
     void add(SeriesEntry entry) { put(series_registry(), std::move(entry)); }
+    void add(ProfileEntry entry) { put(profile_registry(), std::move(entry)); }
     ///@}
 
     const std::vector<std::string> &words() const { return words_; } ///< "integrator houbolt"
