@@ -9,6 +9,9 @@
 #include <optional>
 #include <sstream>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace myolines::study
 {
   /// What SQLite calls "VFS": that of the system but for the calls that may be refused.
@@ -126,6 +129,18 @@ namespace myolines::study
       return methods;
     }
 
+    /// SQLite tries to read what it cannot make, so that no such file would be the reason in the end. Locks, which any closing of a file
+    /// ends, are on none that is made here.
+    bool make_file(System &system, const char *path)
+    {
+      const int made = ::open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+      if (made < 0)
+        System::note(system.first, "open", path, errno);
+      else
+        ::close(made);
+      return made >= 0;
+    }
+
     int open_watched(sqlite3_vfs *vfs, const char *path, sqlite3_file *file, int flags, int *found)
     {
       static const sqlite3_io_methods methods = watched_methods();
@@ -135,12 +150,24 @@ namespace myolines::study
       opened.pMethods                         = nullptr;
       opened.system                           = &system;
       opened.path                             = path;
-      errno                                   = 0;
-      const int code                          = system.usual->xOpen(system.usual, path, opened.usual(), flags, &as);
-      if (code != SQLITE_OK)
-        System::note(system.first, "open", path, errno);
-      else if ((flags & SQLITE_OPEN_READWRITE) != 0 && (as & SQLITE_OPEN_READONLY) != 0)
-        System::note(system.writing, "write", path, errno != 0 ? errno : EACCES);
+      if ((flags & SQLITE_OPEN_CREATE) != 0 && path != nullptr && access(path, F_OK) != 0 && !make_file(system, path))
+        return SQLITE_CANTOPEN;
+      errno          = 0;
+      int code                                = system.usual->xOpen(system.usual, path, opened.usual(), flags, &as);
+      const int refused = errno != 0 ? errno : EACCES;
+      if (code == SQLITE_OK && (flags & SQLITE_OPEN_READWRITE) != 0 && (as & SQLITE_OPEN_READONLY) != 0)
+        {
+          const bool database = (flags & SQLITE_OPEN_MAIN_DB) != 0; // may be read; what SQLite writes beside it may not
+          System::note(database ? system.writing : system.first, database ? "write" : "open", path, refused);
+          if (!database)
+            {
+              opened.usual()->pMethods->xClose(opened.usual());
+              opened.usual()->pMethods = nullptr;
+              code                     = SQLITE_CANTOPEN;
+            }
+        }
+      else if (code != SQLITE_OK)
+        System::note(system.first, "open", path, refused);
       if (opened.usual()->pMethods != nullptr) // to be closed, even if it could not be opened
         opened.pMethods = &methods;
       if (found != nullptr)
