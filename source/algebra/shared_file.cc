@@ -9,7 +9,8 @@ namespace myolines
     , mode_(mode)
   {
     const bool first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-    const auto open  = [&](const File::Mode how) { file_ = std::make_unique<File>(path, how); };
+    const std::filesystem::path place = mode == Mode::write_anew ? unfinished(path) : path;
+    const auto open  = [&](const File::Mode how) { file_ = std::make_unique<File>(place, how); };
     if (mode == Mode::write_anew) // emptied once, before others write
       agree([&] {
         if (first)
@@ -48,6 +49,11 @@ namespace myolines
   void SharedFile::close()
   {
     agree([&] { file_->close(); });
+    if (mode_ == Mode::write_anew)
+      agree([&] {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+          finish_file(path_);
+      });
   }
 
   void SharedFile::agree(const std::function<void()> &action) const
@@ -59,9 +65,8 @@ namespace myolines
     catch (const SystemError &)
       {
         std::error_code ignored; // the first failure is the one to tell
-        if (mode_ == Mode::write_anew && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0 &&
-            std::filesystem::is_regular_file(path_, ignored))
-          std::filesystem::remove(path_, ignored);
+        if (mode_ == Mode::write_anew && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+          std::filesystem::remove(unfinished(path_), ignored);
         throw;
       }
   }

@@ -147,19 +147,38 @@ namespace myolines
     return text;
   }
 
+  std::filesystem::path unfinished(const std::filesystem::path &file)
+  {
+    std::filesystem::path fresh = file;
+    return fresh += ".new";
+  }
+
+  void finish_file(const std::filesystem::path &file)
+  {
+    std::error_code refused;
+    std::filesystem::rename(unfinished(file), file, refused);
+    if (refused)
+      throw SystemError("write", file, refused.value());
+  }
+
   void write_file(const std::filesystem::path &file, const std::string &text)
   {
+    std::error_code             ignored; // the first failure is the one to tell
+    const auto                  found    = std::filesystem::symlink_status(file, ignored);
+    const bool                  in_place = std::filesystem::exists(found) && !std::filesystem::is_regular_file(found);
+    const std::filesystem::path place    = in_place ? file : unfinished(file);
     try
       {
-        File stream(file, File::Mode::write_anew);
+        File stream(place, File::Mode::write_anew);
         stream.write_at(0, text.data(), text.size());
         stream.close();
+        if (!in_place)
+          finish_file(file);
       }
     catch (const SystemError &)
       {
-        std::error_code ignored; // the first failure is the one to tell
-        if (std::filesystem::is_regular_file(file, ignored))
-          std::filesystem::remove(file, ignored);
+        if (!in_place)
+          std::filesystem::remove(place, ignored);
         throw;
       }
   }

@@ -1,15 +1,38 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/error.h>
 #include <myolines/base/lone_process.h>
 #include <myolines/cli/mpi_session.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 
+#include <sys/mman.h>
+
 // Of OpenBLAS, where that is the BLAS in use.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+extern "C" void  openblas_set_num_threads(int) __attribute__((weak));
+extern "C" void *blas_memory_alloc(int) __attribute__((weak));
+extern "C" void  blas_memory_free(void *) __attribute__((weak));
 
 namespace myolines
 {
+  namespace
+  {
+    /// OpenBLAS asks for its working memory where it first needs it, and where the system refuses it asks again, for ever. So it gets
+    /// it here, and keeps it. @throws SystemError if there is none.
+    void give_memory_to_blas()
+    {
+      if (blas_memory_alloc == nullptr || blas_memory_free == nullptr)
+        return;
+      constexpr std::size_t bytes = (std::size_t(32) << 22) + 4096; // its BUFFER_SIZE and a page
+      void *const           room  = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      if (room == MAP_FAILED)
+        throw SystemError("out of memory: there are no 128 MB of addresses for OpenBLAS (limits of the process: ulimit -v)", errno);
+      munmap(room, bytes);
+      blas_memory_free(blas_memory_alloc(0));
+    }
+  } // namespace
+
   MpiSession::MpiSession(int &argc, char **&argv)
     : argc_(argc)
     , argv_(argv)
@@ -27,5 +50,6 @@ namespace myolines
     mpi_     = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv_, 1);
     if (openblas_set_num_threads != nullptr)
       openblas_set_num_threads(1);
+    give_memory_to_blas();
   }
 } // namespace myolines

@@ -20,11 +20,18 @@ namespace myolines
         "");
   }
 
-  /// Of every `--out`: a variable of a shell that is not set makes an empty name, which would be taken for the default.
+  /// Of scenes, folders and every `--out`: a variable of a shell that is not set makes an empty name, which would be taken for the default,
+  /// or for the folder that one is in.
   inline void refuse_places_without_a_name(CLI::App &app)
   {
     for (CLI::App *command : app.get_subcommands({}))
-      if (CLI::Option *out = command->get_option_no_throw("--out"))
-        out->check([](const std::string &name) { return name.empty() ? "it has no name; leave --out away for the default" : ""; });
+      {
+        for (CLI::Option *option : command->get_options())
+          if (const bool out = option->get_name() == "--out"; out || option->get_positional())
+            option->check([out](const std::string &name) {
+              return !name.empty() ? "" : out ? "it has no name; leave --out away for the default" : "it has no name";
+            });
+        refuse_places_without_a_name(*command);
+      }
   }
 } // namespace myolines

@@ -216,19 +216,11 @@ namespace myolines
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const SemiDiscreteSystem &system)
   {
     const MPI_Comm        communicator = checkpoint.state.u.get_mpi_communicator();
-    std::filesystem::path fresh        = file;
-    fresh += ".new";
     // A system that every rank holds whole is written by one.
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1 || writes_files())
-      write_verified(fresh, checkpoint, system);
+      write_verified(file, checkpoint, system);
     if (writes_files())
-      {
-        std::error_code refused;
-        std::filesystem::rename(fresh, file, refused);
-        if (refused)
-          throw SystemError("write", file, refused.value());
-        sync_to_disk(file.parent_path()); // the name, too: until then a power cut may bring back the former file
-      }
+      sync_to_disk(file.parent_path()); // the name, too: until then a power cut may bring back the former file
   }
 
   CheckpointReader::CheckpointReader(const std::filesystem::path &file)
@@ -340,7 +332,7 @@ namespace myolines
     const auto is_wanted = [&name](const Block &block) { return block.part == "state" && block.name == name; };
     const auto found     = std::find_if(blocks_.begin(), blocks_.end(), is_wanted);
     if (found == blocks_.end())
-      throw std::logic_error("a checkpoint has no vector \"" + name + "\" of the state");
+      refuse(file_, "the checkpoint is damaged: it has no vector " + name);
     std::vector<double> values(n_unknowns_);
     const SharedFile    file(file_, MPI_COMM_SELF, SharedFile::Mode::read);
     const bool          whole = file.read(begin_ + (found - blocks_.begin()) * n_unknowns_ * sizeof(double), values);

@@ -70,6 +70,30 @@ namespace myolines
         }
     }
 
+    /// Of the files in the folders of a run, relative to it.
+    std::vector<std::filesystem::path> names_inside(const std::filesystem::path &folder)
+    {
+      std::vector<std::filesystem::path> names;
+      for (const std::filesystem::path inside : {"", "states", "pictures"})
+        if (std::filesystem::is_directory(folder / inside))
+          for (const auto &entry : std::filesystem::directory_iterator(folder / inside))
+            if (entry.is_regular_file())
+              names.push_back(inside / entry.path().filename());
+      return names;
+    }
+
+    /// What a run that was killed had begun to write, maybe with a name that this one does not use, being on other ranks.
+    void remove_unfinished(const OutputFolder &outputs)
+    {
+      for (const std::filesystem::path &name : names_inside(outputs.path))
+        for (const std::string &noted : outputs.noted())
+          if (matches(name.string(), unfinished(noted)))
+            {
+              std::filesystem::remove(outputs.path / name);
+              break;
+            }
+    }
+
     /// Files of every run; outputs note their own.
     void note_own_files(const OutputFolder &outputs)
     {
@@ -124,6 +148,7 @@ namespace myolines
     collectively(path_, [&] {
       for (const std::string &name : files_known_before(path_))
         outputs.note(name);
+      remove_unfinished(outputs);
       replace_file(outputs.file(resolved_name), resolved);
     });
     write_first_manifest(outputs, record);
@@ -143,15 +168,12 @@ namespace myolines
     const auto files = files_of(path_);
     const auto old   = [&files](const std::string &name) {
       return std::any_of(files.begin(), files.end(),
-                           [&name](const std::string &listed) { return matches(name, listed) || matches(name, listed + ".new"); });
+                           [&name](const std::string &listed) { return matches(name, listed) || matches(name, unfinished(listed)); });
     };
     std::vector<std::filesystem::path> all;
-    for (const std::filesystem::path inside : {"", "states", "pictures"})
-      if (std::filesystem::is_directory(path_ / inside))
-        for (const auto &entry : std::filesystem::directory_iterator(path_ / inside))
-          if (const auto name = inside / entry.path().filename();
-              entry.is_regular_file() && name != lock_name && name != resolved_name && name != "manifest.json" && old(name.string()))
-            all.push_back(name);
+    for (const std::filesystem::path &name : names_inside(path_))
+      if (name != lock_name && name != resolved_name && name != "manifest.json" && old(name.string()))
+        all.push_back(name);
     for (const char *last : {resolved_name, "manifest.json"})
       if (old(last) && std::filesystem::exists(path_ / last))
         all.push_back(last);

@@ -19,15 +19,8 @@ namespace myolines
 
   void replace_file(const std::filesystem::path &file, const std::string &text)
   {
-    if (!writes_files())
-      return;
-    std::filesystem::path fresh = file;
-    fresh += ".new";
-    write_file(fresh, text);
-    std::error_code refused;
-    std::filesystem::rename(fresh, file, refused);
-    if (refused)
-      throw SystemError("write", file, refused.value());
+    if (writes_files())
+      write_file(file, text);
   }
 
   void make_folder(const std::filesystem::path &folder)

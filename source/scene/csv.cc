@@ -2,6 +2,7 @@
 #include "table_dialect.h"
 
 #include <myolines/base/error.h>
+#include <myolines/base/files.h>
 #include <myolines/base/names.h>
 #include <myolines/scene/columns.h>
 #include <myolines/scene/csv.h>
@@ -9,8 +10,6 @@
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace myolines::scene
 {
@@ -62,11 +61,7 @@ namespace myolines::scene
     {
       if (std::error_code none; !std::filesystem::is_regular_file(file, none))
         return std::nullopt; // a pipe would be waited for
-      std::ifstream      stream(file, std::ios::binary);
-      std::ostringstream text;
-      if (!stream || !(text << stream.rdbuf()))
-        return std::nullopt;
-      return text.str();
+      return read_file(file);
     }
 
     CsvTable table_of(const std::filesystem::path &file, std::vector<Row> rows)

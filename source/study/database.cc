@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include "sqlite_files.h"
+
 #include <myolines/base/checksum.h>
 #include <myolines/base/error.h>
 #include <myolines/scene/numbers.h>
@@ -6,7 +8,7 @@
 
 #include <sqlite3.h>
 
-#include <cstring>
+#include <cerrno>
 #include <stdexcept>
 
 namespace myolines::study
@@ -42,36 +44,36 @@ namespace myolines::study
                    scene::format_number(outcome.wall_seconds));
       return checksum.text();
     }
-
-    /// What the system refused, or what is wrong with the file.
-    [[noreturn]] void fail(const std::filesystem::path &file, sqlite3 *handle)
-    {
-      const std::string what = sqlite3_errmsg(handle);
-      switch (sqlite3_errcode(handle) & 0xff)
-        {
-        case SQLITE_FULL:
-        case SQLITE_IOERR:
-        case SQLITE_NOMEM:
-        case SQLITE_PERM:
-        case SQLITE_READONLY:
-        case SQLITE_CANTOPEN:
-        case SQLITE_BUSY:
-        case SQLITE_LOCKED:
-          {
-            const int error = sqlite3_system_errno(handle);
-            throw SystemError(
-                "cannot use " + file.string() + ": " + what + (error == 0 ? "" : std::string(" (") + std::strerror(error) + ")"), error);
-          }
-        case SQLITE_CONSTRAINT: // ours alone
-        case SQLITE_MISUSE:
-          throw std::runtime_error(file.string() + ": " + what);
-        default:
-          refuse_database(file, what);
-        }
-    }
   } // namespace
 
   std::string sqlite_version() { return sqlite3_libversion(); }
+
+  void Database::fail() const
+  {
+    const std::string what = sqlite3_errmsg(handle_);
+    switch (sqlite3_errcode(handle_) & 0xff)
+      {
+      case SQLITE_FULL:
+      case SQLITE_IOERR:
+      case SQLITE_PERM:
+      case SQLITE_READONLY:
+        files_->tell();
+        throw SystemError("cannot use " + file_.string() + ": " + what, EIO);
+      case SQLITE_CANTOPEN:
+        files_->tell();
+        refuse_database(file_, what);
+      case SQLITE_NOMEM:
+        throw SystemError("use", file_, ENOMEM);
+      case SQLITE_BUSY:
+      case SQLITE_LOCKED:
+        throw SystemError("cannot use " + file_.string() + ": another process has kept it for longer than a minute", EBUSY);
+      case SQLITE_CONSTRAINT: // ours alone
+      case SQLITE_MISUSE:
+        throw std::runtime_error(file_.string() + ": " + what);
+      default:
+        refuse_database(file_, what);
+      }
+  }
 
   class Database::Statement
   {
@@ -79,8 +81,8 @@ namespace myolines::study
     Statement(const Database &database, const char *sql)
       : database_(database)
     {
-      if (sqlite3_prepare_v2(database.handle_, sql, -1, &handle_, nullptr) != SQLITE_OK)
-        fail(database.file_, database.handle_);
+      database_.files_->forget();
+      check(sqlite3_prepare_v2(database.handle_, sql, -1, &handle_, nullptr));
     }
     ~Statement() { sqlite3_finalize(handle_); }
     Statement(const Statement &)            = delete;
@@ -98,9 +100,10 @@ namespace myolines::study
     /// True if there is a row.
     bool step()
     {
+      database_.files_->forget();
       const int code = sqlite3_step(handle_);
       if (code != SQLITE_ROW && code != SQLITE_DONE)
-        fail(database_.file_, database_.handle_);
+        database_.fail();
       return code == SQLITE_ROW;
     }
     void reset() { check(sqlite3_reset(handle_)); }
@@ -118,7 +121,7 @@ namespace myolines::study
     void check(const int code)
     {
       if (code != SQLITE_OK)
-        fail(database_.file_, database_.handle_);
+        database_.fail();
     }
 
     const Database &database_;
@@ -155,11 +158,12 @@ namespace myolines::study
 
   Database::Database(const std::filesystem::path &file)
     : file_(file)
+    , files_(std::make_unique<SqliteFiles>())
   {
     try
       {
-        if (sqlite3_open(file.c_str(), &handle_) != SQLITE_OK)
-          fail(file_, handle_);
+        if (sqlite3_open_v2(file.c_str(), &handle_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, files_->name().c_str()) != SQLITE_OK)
+          fail();
         sqlite3_busy_timeout(handle_, 60000);
         Transaction transaction(*this);
         int         found = 0, n_tables = 0;
@@ -210,8 +214,9 @@ namespace myolines::study
 
   void Database::execute(const std::string &sql) const
   {
+    files_->forget();
     if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK)
-      fail(file_, handle_);
+      fail();
   }
 
   std::map<std::string, Outcome> Database::outcomes() const

@@ -2,6 +2,7 @@
 #include "progress.h"
 
 #include <myolines/base/error.h>
+#include <myolines/base/files.h>
 #include <myolines/base/names.h>
 #include <myolines/output/checkpoint.h>
 #include <myolines/output/manifest.h>
@@ -14,7 +15,6 @@
 #include <chrono>
 #include <cstring>
 #include <deque>
-#include <fstream>
 #include <sstream>
 
 namespace myolines::study
@@ -28,13 +28,8 @@ namespace myolines::study
 
     double seconds_since(const Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
-    std::string text_of(const std::filesystem::path &file)
-    {
-      std::ostringstream text;
-      if (std::ifstream stream(file, std::ios::binary); stream)
-        text << stream.rdbuf();
-      return text.str();
-    }
+    /// Of a file that a run may not have left. @throws SystemError if it is there and cannot be read.
+    std::string text_of(const std::filesystem::path &file) { return std::filesystem::exists(file) ? read_file(file) : ""; }
 
     std::string on_one_line(const std::string &text)
     {

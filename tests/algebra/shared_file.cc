@@ -14,13 +14,16 @@ namespace myolines
     TEST(SharedFile, IsWhatWasPutAtItsPlaces)
     {
       const auto path = test::temporary("shared");
+      std::filesystem::remove(path);
       {
         SharedFile file(path, MPI_COMM_WORLD, SharedFile::Mode::write_anew);
         file.write_pieces({{0, "head"}, {20, "tail"}}, 24);
         file.write(4, std::vector<double>{1, 2});
         file.sync();
+        EXPECT_FALSE(std::filesystem::exists(path)) << "half a file has another name";
         file.close();
       }
+      EXPECT_FALSE(std::filesystem::exists(unfinished(path)));
       const SharedFile    file(path, MPI_COMM_WORLD, SharedFile::Mode::read);
       std::vector<double> numbers(2);
       std::string         tail(4, ' ');
@@ -38,7 +41,11 @@ namespace myolines
       while (folder.string().size() < 1000)
         folder /= std::string(200, 'p');
       std::filesystem::create_directories(folder);
-      SharedFile(folder / "file", MPI_COMM_WORLD, SharedFile::Mode::write_anew).write(0, std::vector<double>{1});
+      {
+        SharedFile file(folder / "file", MPI_COMM_WORLD, SharedFile::Mode::write_anew);
+        file.write(0, std::vector<double>{1});
+        file.close();
+      }
       EXPECT_EQ(std::filesystem::file_size(folder / "file"), 8u);
       try
         {
@@ -48,7 +55,7 @@ namespace myolines
       catch (const SystemError &error)
         {
           EXPECT_EQ(error.error_number(), ENOENT);
-          EXPECT_NE(std::string(error.what()).find("none/file: No such file or directory"), std::string::npos) << error.what();
+          EXPECT_NE(std::string(error.what()).find("none/file.new: No such file or directory"), std::string::npos) << error.what();
         }
     }
   } // namespace

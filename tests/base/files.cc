@@ -51,6 +51,31 @@ namespace myolines
       EXPECT_TRUE(std::filesystem::exists("/dev/full"));
     }
 
+    /// A reader never sees half of it, and what has another kind than a file stays what it is.
+    TEST(File, IsReplacedInOneMove)
+    {
+      const auto path = test::temporary("replaced"), link = test::temporary("link");
+      write_file(path, "before");
+      const File reader(path, File::Mode::read);
+      write_file(path, "after");
+      char there[7] = "";
+      EXPECT_TRUE(reader.read_at(0, there, 6));
+      EXPECT_STREQ(there, "before") << "whoever has opened it reads on";
+      EXPECT_EQ(read_file(path), "after");
+      EXPECT_FALSE(std::filesystem::exists(unfinished(path)));
+
+      std::filesystem::remove(link);
+      std::filesystem::create_symlink(path, link);
+      write_file(link, "through the link");
+      EXPECT_TRUE(std::filesystem::is_symlink(link));
+      EXPECT_EQ(read_file(path), "through the link");
+
+      std::filesystem::create_directories(unfinished(path)); // in the way
+      EXPECT_EQ(refusal_of([&] { write_file(path, "never"); }), EISDIR);
+      EXPECT_EQ(read_file(path), "through the link");
+      std::filesystem::remove(unfinished(path));
+    }
+
     TEST(File, KnowsItsHoles)
     {
       const auto path = test::temporary("holes");

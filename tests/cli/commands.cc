@@ -39,7 +39,6 @@ TEST(Run, WritesItsFolderAndSaysWhere)
   EXPECT_NE(contents(folder / "results/swing/ledger.json").find("\"CPU of the run\""), std::string::npos);
 }
 
-/// On every processor that there is, the narrowest kernels do; forces of the widest agree to the tolerance of the solvers.
 TEST(Commands, RefuseAnEmptyPlaceToWriteTo)
 {
   const TestFolder folder;
@@ -52,8 +51,17 @@ TEST(Commands, RefuseAnEmptyPlaceToWriteTo)
       EXPECT_NE(outcome.err.find("it has no name"), std::string::npos) << outcome.err;
       EXPECT_FALSE(std::filesystem::exists(folder / "results")) << command;
     }
+  // Nor is the folder that one is in meant.
+  for (const char *command : {"run ''", "study ''", "plot ''", "picture ''", "report ''", "compare '' ''", "compare results ''",
+                              "import flexodeal '' strain.dat activation.dat --out new.xml"})
+    {
+      const Outcome outcome = run_program(folder, command);
+      EXPECT_EQ(outcome.exit_code, 2) << command;
+      EXPECT_NE(outcome.err.find("it has no name"), std::string::npos) << command << "\n" << outcome.err;
+    }
 }
 
+/// On every processor that there is, the narrowest kernels do; forces of the widest agree to the tolerance of the solvers.
 TEST(Run, HasTheKernelsThatItIsAskedFor)
 {
   const TestFolder folder;

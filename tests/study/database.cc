@@ -7,7 +7,12 @@
 #include <gtest/gtest.h>
 #include <sqlite3.h>
 
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <random>
+
+#include <sys/resource.h>
 
 using namespace myolines;
 using namespace myolines::study;
@@ -52,6 +57,60 @@ TEST(StudyDatabase, RefusesOtherFiles)
       Database(folder.write("text.sqlite", "This is no database, but it is long enough to be taken for the head of one, or is it?")),
       InputError);
   EXPECT_THROW(Database(folder / "no folder/study.sqlite"), SystemError);
+}
+
+namespace
+{
+  /// Files of this process may not be longer than so many bytes, as on a disk that is full.
+  class ShortFiles
+  {
+  public:
+    explicit ShortFiles(const rlim_t bytes)
+      : handler_(std::signal(SIGXFSZ, SIG_IGN))
+    {
+      getrlimit(RLIMIT_FSIZE, &before_);
+      const rlimit limit{bytes, before_.rlim_max};
+      setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~ShortFiles()
+    {
+      setrlimit(RLIMIT_FSIZE, &before_);
+      std::signal(SIGXFSZ, handler_);
+    }
+    ShortFiles(const ShortFiles &)            = delete;
+    ShortFiles &operator=(const ShortFiles &) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int);
+  };
+} // namespace
+
+/// In its words, with the file that it refused, though SQLite rolls back before it answers; what was there stays.
+TEST(StudyDatabase, TellsWhatTheSystemRefused)
+{
+  const TestFolder folder;
+  const auto       file = folder / "study.sqlite";
+  Database         database(file);
+  study::Outcome   outcome;
+  outcome.name   = "step=0.1";
+  outcome.status = "done";
+  database.store({outcome});
+  try
+    {
+      const ShortFiles limit(16384);
+      outcome.scene = std::string(100000, 's');
+      database.store({outcome});
+      FAIL();
+    }
+  catch (const SystemError &error)
+    {
+      EXPECT_EQ(error.error_number(), EFBIG);
+      EXPECT_EQ(std::string(error.what()), "cannot write " + file.string() + ": " + std::strerror(EFBIG));
+    }
+  EXPECT_EQ(database.outcomes().at("step=0.1").scene, "");
+  database.store({outcome});
+  EXPECT_EQ(Database(file).outcomes().at("step=0.1").scene, outcome.scene);
 }
 
 namespace

@@ -18,7 +18,8 @@ namespace myolines
   void on_all_ranks(MPI_Comm communicator, const std::function<void()> &action);
 
   /// A binary file that all ranks of a communicator read or write together, each its own part. What the system refuses one rank is thrown
-  /// on all, as SystemError; what was not written whole is then not there. All members are collective.
+  /// on all, as SystemError. What is written has the name unfinished(path) until it is closed, and is removed where it is refused.
+  /// All members are collective.
   class SharedFile
   {
   public:
@@ -26,7 +27,7 @@ namespace myolines
     enum class Mode
     {
       read,      ///< one that is there
-      write_anew ///< emptied if it is there
+      write_anew ///< in place of one that is there
     };
 
     SharedFile(const std::filesystem::path &path, MPI_Comm communicator, Mode mode); ///< Opens the file at @p path.
@@ -55,13 +56,13 @@ namespace myolines
 
     /// Returns once everything is on the disk itself.
     void sync();
-    void close(); ///< tells what the destructor would not: some systems refuse at the end only
+    void close(); ///< tells what the destructor would not: some systems refuse at the end only; a new file then has its name
 
   private:
     /// As on_all_ranks(); what was to be written is removed if it cannot be.
     void agree(const std::function<void()> &action) const;
 
-    std::filesystem::path path_;
+    std::filesystem::path path_; ///< of the file once it is closed
     MPI_Comm              communicator_;
     Mode                  mode_;
     std::unique_ptr<File> file_;

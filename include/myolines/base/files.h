@@ -53,7 +53,14 @@ namespace myolines
   /// The bytes of a file. @throws SystemError.
   std::string read_file(const std::filesystem::path &file);
 
-  /// Makes @p file anew with @p text in it. What could not be written whole is removed. @throws SystemError.
+  /// Where a file is written before it is moved to @p file: the same name and ".new".
+  std::filesystem::path unfinished(const std::filesystem::path &file);
+
+  /// Moves unfinished(file) to @p file, in place of what is there. @throws SystemError.
+  void finish_file(const std::filesystem::path &file);
+
+  /// Makes @p file anew with @p text in it, in one move: a reader or a kill never sees half of it. What could not be written whole is
+  /// removed. What is there and is no file (a device, a pipe, a link) is written to as it is. @throws SystemError.
   void write_file(const std::filesystem::path &file, const std::string &text);
 
   /// The first byte of @p text that is not part of a character in UTF-8; npos if all are.

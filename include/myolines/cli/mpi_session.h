@@ -16,7 +16,8 @@ namespace myolines
     MpiSession(int &argc, char **&argv);
 
     /// Starts MPI unless that has been done. A process that is no rank of a job does without networks, and without the helper daemon that
-    /// Open MPI gives to such processes; variables of the environment that are set already are respected.
+    /// Open MPI gives to such processes; variables of the environment that are set already are respected. @throws SystemError if there is
+    /// no memory for the BLAS.
     void start();
 
     /// Ends MPI before this object ends.

@@ -28,8 +28,8 @@ namespace myolines::scene
     std::string where(std::size_t row) const;
   };
 
-  /// A file that a program writes line by line: a last line that was not finished is left out. Nothing if the file cannot be read or a row
-  /// has not as many fields as the header.
+  /// A file that a program writes line by line: a last line that was not finished is left out. Nothing if there is no such file or a row
+  /// has not as many fields as the header. @throws SystemError if the file is there and cannot be read.
   std::optional<CsvTable> read_csv(const std::filesystem::path &file);
 
   /// A file that a person gives: fields are separated by commas, semicolons or tabs, decimals by points or, where commas do not separate

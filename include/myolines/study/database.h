@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@ struct sqlite3;
 
 namespace myolines::study
 {
+  class SqliteFiles;
+
   std::string sqlite_version(); ///< as loaded
 
   /// How the run of a case ended, and with what.
@@ -58,10 +61,12 @@ namespace myolines::study
   private:
     class Statement;
     class Transaction;
-    void execute(const std::string &sql) const;
-    void require_whole() const; ///< @throws InputError
+    void              execute(const std::string &sql) const;
+    void              require_whole() const; ///< @throws InputError
+    [[noreturn]] void fail() const;          ///< Throws what the system refused, or what is wrong with the file.
 
-    std::filesystem::path file_;
-    sqlite3              *handle_ = nullptr;
+    std::filesystem::path        file_;
+    std::unique_ptr<SqliteFiles> files_;
+    sqlite3                     *handle_ = nullptr;
   };
 } // namespace myolines::study
