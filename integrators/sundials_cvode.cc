@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/integrators/sundials_integrator.h>
+#include <myolines/integrators/sundials_newton.h>
 #include <myolines/time/start.h>
 
 #include <cvodes/cvodes.h>
@@ -92,6 +93,8 @@ namespace myolines
             require_success(CVodeSetLinearSolver(memory_, newton_->solver(), newton_->matrix()), "CVodeSetLinearSolver");
             require_success(CVodeSetLinSysFn(memory_, linearise), "CVodeSetLinSysFn");
             CVodeSetLinearSolutionScaling(memory_, SUNFALSE); // solve() takes the present g
+            newton_method_.emplace(sundials(), y(), form());
+            require_success(CVodeSetNonlinearSolver(memory_, newton_method_->solver()), "CVodeSetNonlinearSolver");
           }
         CVodeSetMaxOrd(memory_, choices_.maximum_order);
         CVodeSetStabLimDet(memory_, choices_.stability_limit_detection);
@@ -100,7 +103,6 @@ namespace myolines
           CVodeSetMaxStep(memory_, limits().maximum_step);
         CVodeSetMaxErrTestFails(memory_, limits().rejections);
         CVodeSetEtaMax(memory_, limits().growth);
-        CVodeSetMaxNonlinIters(memory_, maximum_sundials_iterations);
         CVodeSetNonlinConvCoef(memory_, tolerances().solver_fraction);
         CVodeSetMaxHnilWarns(memory_, -1);
       }
@@ -176,6 +178,7 @@ namespace myolines
 
       const Choices                 choices_;
       std::optional<SundialsMatrix> newton_;
+      std::optional<SundialsNewton> newton_method_;
       SUNNonlinearSolver            fixed_point_ = nullptr;
       void                         *memory_      = nullptr;
       std::vector<double>           force_, mass_times_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/integrators/sundials_integrator.h>
+#include <myolines/integrators/sundials_newton.h>
 #include <myolines/time/start.h>
 
 #include <idas/idas.h>
@@ -70,6 +71,8 @@ namespace myolines
         });
         require_success(IDASetLinearSolver(memory_, newton_->solver(), newton_->matrix()), "IDASetLinearSolver");
         require_success(IDASetJacFn(memory_, linearise), "IDASetJacFn");
+        newton_method_.emplace(sundials(), y(), form());
+        require_success(IDASetNonlinearSolver(memory_, newton_method_->solver()), "IDASetNonlinearSolver");
         IDASetLinearSolutionScaling(memory_, SUNFALSE); // solve() takes the present c
         IDASetMaxOrd(memory_, maximum_order_);
         IDASetMinStep(memory_, limits().minimum_step);
@@ -77,7 +80,6 @@ namespace myolines
           IDASetMaxStep(memory_, limits().maximum_step);
         IDASetMaxErrTestFails(memory_, limits().rejections);
         IDASetEtaMax(memory_, limits().growth);
-        IDASetMaxNonlinIters(memory_, maximum_sundials_iterations);
         IDASetNonlinConvCoef(memory_, tolerances().solver_fraction);
       }
 
@@ -141,6 +143,7 @@ namespace myolines
 
       const unsigned int            maximum_order_;
       std::optional<SundialsMatrix> newton_;
+      std::optional<SundialsNewton> newton_method_;
       void                         *memory_ = nullptr;
       std::vector<double>           right_;
     };

@@ -91,7 +91,8 @@ namespace myolines
         require_success(ARKStepSetLinSysFn(memory_, linearise), "ARKStepSetLinSysFn");
         // f of a stage from what the iteration found: f(z) would magnify what it left by the stiffness
         ARKStepSetDeduceImplicitRhs(memory_, SUNTRUE);
-        ARKStepSetMaxNonlinIters(memory_, maximum_sundials_iterations);
+        newton_method_ = std::make_unique<SundialsNewton>(sundials_, y, whole_);
+        require_success(ARKStepSetNonlinearSolver(memory_, newton_method_->solver()), "ARKStepSetNonlinearSolver");
         // fresh at every step: rates of convergence that earlier steps have shown pass a first iteration with a worse matrix
         ARKStepSetLSetupFrequency(memory_, 1);
         ARKStepSetLinearSolutionScaling(memory_, SUNFALSE); // solve() takes the present g

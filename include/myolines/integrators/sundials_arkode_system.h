@@ -2,7 +2,7 @@
 #pragma once
 
 #include <myolines/integrators/sundials_arkode_tables.h>
-#include <myolines/integrators/sundials_tools.h>
+#include <myolines/integrators/sundials_newton.h>
 
 #include <memory>
 #include <vector>
@@ -50,6 +50,7 @@ namespace myolines
     std::unique_ptr<FirstOrderForm>     implicit_form_;   ///< the same
     FirstOrderForm                     &implicit_;        ///< that, or the whole
     SundialsMatrix                      newton_, mass_;
+    std::unique_ptr<SundialsNewton>     newton_method_; ///< of implicit tables
     std::vector<double>                 force_, other_;
     void                               *memory_ = nullptr;
   };

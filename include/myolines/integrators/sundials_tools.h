@@ -65,10 +65,6 @@ namespace myolines
     SUNLinearSolver solver_;
   };
 
-  /// Of Newton's method in one stage. The three or four that SUNDIALS would allow are too few for muscle, where a first guess that is
-  /// extrapolated violates the volume constraint, and linear systems are solved to `forcing maximum` only.
-  constexpr int maximum_sundials_iterations = 12;
-
   /// Weights with which the WRMS norm of SUNDIALS is sqrt(E_u^2 + E_v^2), E of a block the root mean square of its errors over its
   /// tolerance as in ErrorNorm; without a tolerance of velocities it is E_u.
   void set_error_weights(const ErrorTolerances &tolerances, const FirstOrderForm &form, const double *y, double *weights);
