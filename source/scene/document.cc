@@ -233,6 +233,14 @@ namespace myolines::scene
       }
   }
 
+  const RawList *find_list_at(const RawList &root, const std::string &path)
+  {
+    const RawList *list = &root;
+    for (const std::string &name : split_path(path))
+      list = list == nullptr ? nullptr : find_named(list->lists, name);
+    return list;
+  }
+
   const RawParameter *find_parameter(const RawList &root, const std::string &path)
   {
     const std::vector<std::string> names = split_path(path);
