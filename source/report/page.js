@@ -5,6 +5,9 @@ const report = { data: JSON.parse(document.getElementById('data').textContent), 
 
 report.colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+report.marks = ['#2b6cff', '#ff3b30'];
+report.digits = value => Number(value.toPrecision(4)).toString();
+
 report.copy = function (text, button) {
   const done = () => { const before = button.textContent; button.textContent = 'Copied'; setTimeout(() => { button.textContent = before; }, 1500); };
   const area = document.createElement('textarea'); // pages from files may not use the clipboard directly
@@ -39,6 +42,12 @@ report.button = function (text, action) {
       options.ticks.callback = value => { const found = words.find(word => word[0] === value); return found ? found[1] : ''; };
       options.ticks.autoSkip = false;
       if (!logarithmic) { options.offset = true; }
+    } else {
+      options.ticks.callback = function (value, index, ticks) { // 3.13e-6 instead of 0.000003130
+        const leading = value / 10 ** Math.floor(Math.log10(Math.abs(value)));
+        if (logarithmic && ticks.length > 8 && ![1, 2, 5].includes(Math.round(leading * 1e6) / 1e6)) return '';
+        return report.digits(value);
+      };
     }
     return options;
   }

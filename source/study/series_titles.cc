@@ -17,6 +17,7 @@ namespace myolines::study
     };
     constexpr KnownTitle known_titles[] = {
         {"reaction", "Forces with which the boundary conditions pull on the body"},
+        {"conditions", "What the boundary conditions do: power, stored energy, elongation of tendons"},
         {"force_data-3d", "Force at the measured face, estimated from interior points, by part of the stress"},
         {"activation_muscle_length-3d", "Activation and length of the muscle"},
         {"mean_stretch_pennation_data-3d", "Stretch and pennation of the fibres, mean over the middle"},
@@ -35,6 +36,7 @@ namespace myolines::study
         {"trajectory", "Motion of the mass"},
         {"muscle_tendon", "Muscle and tendon: lengths, velocities, forces"},
         {"stretches", "Stretches along the muscle"},
+        {"equilibria", "Equilibria of the chain, by the branches that its elements are on"},
         {"nodal_states", "Displacements and velocities of the nodes"},
     };
 

@@ -197,10 +197,11 @@ namespace myolines::study
     {
       std::vector<std::string> along = study.axis_names();
       along.erase(std::remove(along.begin(), along.end(), study.view.curves), along.end());
-      std::vector<std::pair<std::string, std::string>> works{{"CPU seconds", "CPU [s]"}};
+      std::vector<std::pair<std::string, std::string>> works;
       for (const Quantity &quantity : study.quantities)
         if (quantity.source == Quantity::Source::count || quantity.source == Quantity::Source::seconds)
           works.emplace_back(quantity.name, header_of(quantity));
+      works.emplace_back("CPU seconds", "CPU [s]"); // after what does not depend on the machine
       std::vector<Picture> pictures;
       for (const Quantity &quantity : study.quantities)
         if (quantity.is_error())
