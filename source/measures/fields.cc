@@ -211,7 +211,8 @@ namespace myolines
 
     void write_mesh(const Filter &filter, const unsigned int corners, const std::filesystem::path &file, const MPI_Comm communicator)
     {
-      const RowShare            points(filter.n_nodes(), communicator), cells(filter.n_cells(), communicator);
+      const bool                any = filter.n_nodes() > 0; // a filter without points does not know how many cells it has
+      const RowShare            points(filter.n_nodes(), communicator), cells(any ? filter.n_cells() : 0, communicator);
       std::vector<double>       positions;
       std::vector<unsigned int> vertices;
       if (points.own > 0)
@@ -243,14 +244,14 @@ namespace myolines
 
     /// What write_fields_vtu() does, see there.
     template <typename Out>
-    std::string write_vtu(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
-                          const std::filesystem::path &folder, const unsigned int number)
+    std::string write_vtu(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::filesystem::path &folder,
+                          const unsigned int number)
     {
       const MPI_Comm                communicator = system.discretisation().communicator;
-      FieldPatches<Out>             patches(system, state, fields);
+      FieldPatches<Out>             patches(system, state, choice.names);
       dealii::DataOutBase::VtkFlags flags(state.t, number);
       flags.write_higher_order_cells = true;
-      for (const std::string &field : fields)
+      for (const std::string &field : choice.names)
         if (const std::string unit = field_unit(field); !unit.empty())
           flags.physical_units[field_label(field)] = unit;
       patches.out.set_flags(flags);
@@ -266,14 +267,18 @@ namespace myolines
       const std::string  whole = number_of_file("fields-", number, ".vtu");
       const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
       const unsigned int rank  = dealii::Utilities::MPI::this_mpi_process(communicator);
+      const bool         any   = own_patches(system, choice.part) > 0; // a piece without points is none to other readers
       on_all_ranks(communicator, [&] {
-        write_file(folder / (ranks == 1 ? whole : piece(rank)), text_of([&](std::ostream &out) { patches.out.write_vtu(out); }));
+        if (any)
+          write_file(folder / (ranks == 1 ? whole : piece(rank)), text_of([&](std::ostream &out) { patches.out.write_vtu(out); }));
       });
       if (ranks == 1)
         return whole;
-      std::vector<std::string> pieces;
+      std::vector<std::string>        pieces;
+      const std::vector<unsigned int> have = dealii::Utilities::MPI::all_gather(communicator, any ? 1u : 0u);
       for (unsigned int r = 0; r < ranks; ++r)
-        pieces.push_back(piece(r));
+        if (have[r] > 0)
+          pieces.push_back(piece(r));
       const std::string record = number_of_file("fields_", number, ".pvtu");
       on_all_ranks(communicator, [&] {
         if (rank == 0)
@@ -337,8 +342,8 @@ namespace myolines
   std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::string &folder,
                                const unsigned int number)
   {
-    return choice.part == FieldPart::surface ? write_vtu<SurfaceOut>(system, state, choice.names, folder, number)
-                                             : write_vtu<dealii::DataOut<3>>(system, state, choice.names, folder, number);
+    return choice.part == FieldPart::surface ? write_vtu<SurfaceOut>(system, state, choice, folder, number)
+                                             : write_vtu<dealii::DataOut<3>>(system, state, choice, folder, number);
   }
 
   FieldSizes field_sizes(const Muscle3dSystem &system, const FieldPart part)

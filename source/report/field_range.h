@@ -45,7 +45,9 @@ namespace myolines::report
       std::string  tissue;    ///< "" where the run does not say
     };
 
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
     std::string name_;
-    Extreme     low_{std::numeric_limits<double>::infinity(), {}, {}}, high_{-std::numeric_limits<double>::infinity(), {}, {}};
+    Extreme     low_{infinity, {}, {}, 0, ""}, high_{-infinity, {}, {}, 0, ""};
   };
 } // namespace myolines::report

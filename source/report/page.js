@@ -6,7 +6,10 @@ const report = { data: JSON.parse(document.getElementById('data').textContent), 
 report.colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 report.marks = ['#2b6cff', '#ff3b30'];
-report.digits = value => Number(value.toPrecision(4)).toString();
+report.digits = function (value) {
+  const size = Math.abs(value), short = Number(value.toPrecision(4));
+  return size > 0 && (size < 1e-3 || size >= 1e6) ? short.toExponential() : short.toString();
+};
 
 report.copy = function (text, button) {
   const done = () => { const before = button.textContent; button.textContent = 'Copied'; setTimeout(() => { button.textContent = before; }, 1500); };

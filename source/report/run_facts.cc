@@ -81,7 +81,9 @@ namespace myolines::report
             add_force(header.substr(0, header.size() - along.size()) + ", along the line of action", study::series_of(*table, header),
                       facts);
           }
-      if (first.empty())
+      if (!first.empty())
+        facts.glance.push_back({"sign of these forces", "positive along the line of action, which points to the end that moves"});
+      else
         for (const std::string &header : table->header)
           if (ends_with(header, x))
             {

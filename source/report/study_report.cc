@@ -151,7 +151,9 @@ namespace myolines::report
     if (study.view.target && std::filesystem::exists(folder / "equal_error.csv"))
       {
         page.heading("Cost at equal error: " + study.view.precision + " = " + number_text(*study.view.target));
-        page.paragraph("What each method costs, in " + study.view.work + ", to reach this error, between the two steps that enclose it.");
+        page.paragraph(
+            "What each method costs, in " + study.view.work +
+            ", to reach this error, interpolated between the two cases that enclose it; \"at most\" where all cases are more accurate.");
         add_table(folder / "equal_error.csv", most_rows, page);
       }
     add_pictures(folder, page, report.notes);

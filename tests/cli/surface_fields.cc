@@ -18,22 +18,21 @@ namespace pictures = myolines::picture;
 
 namespace
 {
-  using pictures::Vec;
-
   const std::array<double, 3> sides{{0.03, 0.01, 0.02}};
 
   /// Turned about two axes and moved.
-  Vec turned(const Vec &x)
+  pictures::Vec turned(const pictures::Vec &x)
   {
-    const double a = 0.7, b = -0.4;
-    const Vec    y({std::cos(a) * x[0] - std::sin(a) * x[1], std::sin(a) * x[0] + std::cos(a) * x[1], x[2]});
-    return Vec({y[0] + 0.02, std::cos(b) * y[1] - std::sin(b) * y[2], std::sin(b) * y[1] + std::cos(b) * y[2] - 0.01});
+    const double        a = 0.7, b = -0.4;
+    const pictures::Vec y({std::cos(a) * x[0] - std::sin(a) * x[1], std::sin(a) * x[0] + std::cos(a) * x[1], x[2]});
+    return pictures::Vec({y[0] + 0.02, std::cos(b) * y[1] - std::sin(b) * y[2], std::sin(b) * y[1] + std::cos(b) * y[2] - 0.01});
   }
 
-  /// The motion of affine(): x -> F x with F = [1.1 0.2 0; 0 1 0; 0 0 0.95].
-  Vec               stretched(const Vec &x) { return Vec({1.1 * x[0] + 0.2 * x[1], x[1], 0.95 * x[2]}); }
-  const std::string affine = " --set \"system/initial motion/displacement x=0.1*x + 0.2*y\" --set \"system/initial motion/displacement "
-                             "z=-0.05*z\" --set time/end=0.02";
+  /// The motion of affine_motion: x -> F x with F = [1.1 0.2 0; 0 1 0; 0 0 0.95].
+  pictures::Vec     stretched(const pictures::Vec &x) { return pictures::Vec({1.1 * x[0] + 0.2 * x[1], x[1], 0.95 * x[2]}); }
+  const std::string affine_motion =
+      " --set \"system/initial motion/displacement x=0.1*x + 0.2*y\" --set \"system/initial motion/displacement "
+      "z=-0.05*z\" --set time/end=0.02";
 
   /// A block as it lies, without conditions.
   std::string free_scene(const std::string &geometry)
@@ -58,8 +57,8 @@ namespace
     std::string points = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n";
     for (int v = 0; v < 8; ++v)
       {
-        const Vec x = turned(Vec({v % 2 * sides[0], v / 2 % 2 * sides[1], v / 4 * sides[2]}));
-        char      line[120];
+        const pictures::Vec x = turned(pictures::Vec({v % 2 * sides[0], v / 2 % 2 * sides[1], v / 4 * sides[2]}));
+        char                line[120];
         std::snprintf(line, sizeof line, "%d %.17g %.17g %.17g\n", v + 1, x[0], x[1], x[2]);
         points += line;
       }
@@ -69,18 +68,18 @@ namespace
 
   struct Measured
   {
-    double area = 0, volume = 0;
-    Vec    sum; ///< of areas with their normals
+    double        area = 0, volume = 0;
+    pictures::Vec sum; ///< of areas with their normals
   };
 
   /// Flat faces alone.
-  Measured measured(const pictures::Body &body, const std::vector<Vec> &places)
+  Measured measured(const pictures::Body &body, const std::vector<pictures::Vec> &places)
   {
     Measured all;
     for (const pictures::Body::Face &face : body.faces)
       {
-        const Vec &a = places[face[0]], &b = places[face[1]], &c = places[face[2]], &d = places[face[3]];
-        const Vec  area = cross_product_3d(c - a, d - b) / 2;
+        const pictures::Vec &a = places[face[0]], &b = places[face[1]], &c = places[face[2]], &d = places[face[3]];
+        const pictures::Vec  area = cross_product_3d(c - a, d - b) / 2;
         all.area += area.norm();
         all.sum += area;
         all.volume += (a * cross_product_3d(b, c) + a * cross_product_3d(c, d)) / 6;
@@ -88,7 +87,7 @@ namespace
     return all;
   }
 
-  double area_of(const Vec &edge_1, const Vec &edge_2) { return cross_product_3d(edge_1, edge_2).norm(); }
+  double area_of(const pictures::Vec &edge_1, const pictures::Vec &edge_2) { return cross_product_3d(edge_1, edge_2).norm(); }
 
   pictures::Body last(const TestFolder &folder, const std::string &name)
   {
@@ -140,8 +139,17 @@ namespace
       }
   }
 
-  const std::string fields = " --quiet --overwrite --set \"output/fields/what=displacement, stretch, pressure, fibre direction, von mises "
-                             "stress\" --set \"output/fields/surface only=true\" ";
+  /// The surface of a body alone.
+  pictures::Body peeled(pictures::Body body)
+  {
+    body.faces = surface_of(body).quads;
+    body.cells.clear();
+    return body;
+  }
+
+  const std::string surface_fields =
+      " --quiet --overwrite --set \"output/fields/what=displacement, stretch, pressure, fibre direction, von mises "
+      "stress\" --set \"output/fields/surface only=true\" ";
 } // namespace
 
 TEST(SurfaceFields, HaveTheAreaOfTheBlockBeforeAndAfterAMotion)
@@ -157,18 +165,18 @@ TEST(SurfaceFields, HaveTheAreaOfTheBlockBeforeAndAfterAMotion)
         {
           const std::string which = std::string(is_turned ? "tetrahedra, " : "block, ") + format + ", degree " + degree;
           const Outcome     run =
-              run_program(folder, std::string("run ") + (is_turned ? "tetrahedra" : "block") + ".xml --out run" + fields +
+              run_program(folder, std::string("run ") + (is_turned ? "tetrahedra" : "block") + ".xml --out run" + surface_fields +
                                       "--set system/discretisation/degree=" + degree + " --set \"system/discretisation/quadrature points=" +
-                                      std::to_string(std::stoi(degree) + 2) + "\" --set output/fields/format=" + format + affine);
+                                      std::to_string(std::stoi(degree) + 2) + "\" --set output/fields/format=" + format + affine_motion);
           ASSERT_EQ(run.exit_code, 0) << which << run.err;
           const pictures::Body body = pictures::RunFields(folder / "run").read(0);
           EXPECT_TRUE(body.is_surface());
-          const Vec          origin = is_turned ? turned(Vec()) : Vec();
-          std::array<Vec, 3> edges;
-          double             area = 0, area_now = 0, volume = 1;
+          const pictures::Vec          origin = is_turned ? turned(pictures::Vec()) : pictures::Vec();
+          std::array<pictures::Vec, 3> edges;
+          double                       area = 0, area_now = 0, volume = 1;
           for (unsigned int c = 0; c < 3; ++c)
             {
-              Vec end;
+              pictures::Vec end;
               end[c]   = sides[c];
               edges[c] = is_turned ? turned(end) - origin : end;
               volume *= sides[c];
@@ -193,15 +201,12 @@ TEST(SurfaceFields, AreThoseOfTheWholeBodyAndSmaller)
   folder.write("scene.xml", muscle_scene);
   const std::string finer =
       "--set system/geometry/refinement=2 --set system/discretisation/degree=2 --set \"system/discretisation/quadrature points=3\"";
-  ASSERT_EQ(run_program(folder, "run scene.xml --out surface" + fields + finer).exit_code, 0);
-  ASSERT_EQ(run_program(folder, "run scene.xml --out whole" + fields + finer + " --set \"output/fields/surface only=false\"").exit_code, 0);
-  const pictures::Body    surface = last(folder, "surface"), whole = last(folder, "whole");
-  const pictures::Surface of_whole = surface_of(whole);
-  ASSERT_EQ(surface.faces.size(), of_whole.quads.size());
-  pictures::Body peeled = whole;
-  peeled.cells.clear();
-  peeled.faces = of_whole.quads;
-  expect_same(surface, peeled, "the whole");
+  ASSERT_EQ(run_program(folder, "run scene.xml --out surface" + surface_fields + finer).exit_code, 0);
+  ASSERT_EQ(
+      run_program(folder, "run scene.xml --out whole" + surface_fields + finer + " --set \"output/fields/surface only=false\"").exit_code,
+      0);
+  const pictures::Body surface = last(folder, "surface"), whole = last(folder, "whole");
+  expect_same(surface, peeled(whole), "the whole");
   const auto size = [&](const std::string &run) { return std::filesystem::file_size(folder / (run + "/fields-0001.vtu")); };
   EXPECT_LT(2 * size("surface"), size("whole"));
 }
@@ -209,27 +214,40 @@ TEST(SurfaceFields, AreThoseOfTheWholeBodyAndSmaller)
 TEST(SurfaceFields, DoNotDependOnRanksAndFormat)
 {
   const TestFolder folder;
-  folder.write("scene.xml", muscle_scene);
-  const std::string command = "run scene.xml" + fields +
+  folder.write("scene.xml", muscle_scene); // one cell: further ranks have none
+  const std::string command = "run scene.xml" + surface_fields +
                               "--set system/discretisation/degree=2 --set \"system/discretisation/quadrature "
                               "points=3\" --set output/fields/format=";
   ASSERT_EQ(run_program(folder, command + "vtu --out one").exit_code, 0);
   const pictures::Body one = last(folder, "one");
   for (const char *format : {"vtu", "hdf5"})
     for (const int ranks : {1, 2, 3})
-      {
-        const std::string name = format + std::to_string(ranks);
-        ASSERT_EQ(run_on_ranks(folder, ranks, command + format + " --out " + name), 0) << contents(folder / "err.txt");
-        expect_same(one, last(folder, name), name);
-      }
+      for (const bool whole : {false, true})
+        {
+          const std::string name = format + std::to_string(ranks) + (whole ? "whole" : "");
+          ASSERT_EQ(run_on_ranks(folder, ranks,
+                                 command + format + " --out " + name + (whole ? " --set \"output/fields/surface only=false\"" : "")),
+                    0)
+              << contents(folder / "err.txt");
+          const pictures::Body body = last(folder, name);
+          expect_same(one, whole ? peeled(body) : body, name);
+        }
   EXPECT_TRUE(std::filesystem::exists(folder / "vtu3/fields_0000.pvtu"));
+  // Several cells on each rank.
+  const std::string finer = " --set system/geometry/refinement=2 ";
+  ASSERT_EQ(run_program(folder, command + "vtu --out fine" + finer).exit_code, 0);
+  ASSERT_EQ(run_on_ranks(folder, 3, command + "vtu --out shared" + finer), 0) << contents(folder / "err.txt");
+  EXPECT_TRUE(std::filesystem::exists(folder / "shared/fields_0000.2.vtu"));
+  ASSERT_EQ(run_on_ranks(folder, 2, command + "hdf5 --out shared_hdf5" + finer), 0) << contents(folder / "err.txt");
+  expect_same(last(folder, "fine"), last(folder, "shared"), "three ranks");
+  expect_same(last(folder, "fine"), last(folder, "shared_hdf5"), "two ranks");
 }
 
 TEST(SurfaceFields, ArePicturedAndReported)
 {
   const TestFolder folder;
   folder.write("scene.xml", muscle_scene);
-  ASSERT_EQ(run_program(folder, "run scene.xml --out run" + fields).exit_code, 0);
+  ASSERT_EQ(run_program(folder, "run scene.xml --out run" + surface_fields).exit_code, 0);
   EXPECT_EQ(run_program(folder, "picture run --field pressure").exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(folder / "run/pictures/pressure.png"));
   for (const char *inside : {"--fibres 5", "--cut z:0.5"})
