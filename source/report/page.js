@@ -55,6 +55,15 @@ report.button = function (text, action) {
     return options;
   }
 
+  // What a point tells: where it is, and its curve with its value, both with five digits or in the words of the axis.
+  function told(chart) {
+    const text = (value, words) => (words.find(word => word[0] === value) || [0, Number(value.toPrecision(5)).toString()])[1];
+    return {
+      title: items => items.length > 0 ? (chart.x || 'x') + ' = ' + text(items[0].parsed.x, chart.xWords) : '',
+      label: item => item.dataset.label + ': ' + text(item.parsed.y, chart.yWords)
+    };
+  }
+
   function settings(chart) {
     const datasets = chart.curves.map((curve, i) => {
       const colour = palette[i % palette.length] || report.colour('--ink');
@@ -70,7 +79,7 @@ report.button = function (text, action) {
         animation: false, maintainAspectRatio: false, normalized: true,
         interaction: { mode: 'nearest', intersect: false },
         scales: { x: axis(chart.x, chart.logX, chart.xWords), y: axis(chart.y, chart.logY, chart.yWords) },
-        plugins: { legend: { position: 'bottom', labels: { usePointStyle: true, boxHeight: 6 } } }
+        plugins: { tooltip: { callbacks: told(chart) }, legend: { position: 'bottom', labels: { usePointStyle: true, boxHeight: 6 } } }
       }
     };
   }

@@ -32,7 +32,7 @@ namespace
   pictures::Vec     stretched(const pictures::Vec &x) { return pictures::Vec({1.1 * x[0] + 0.2 * x[1], x[1], 0.95 * x[2]}); }
   const std::string affine_motion =
       " --set \"system/initial motion/displacement x=0.1*x + 0.2*y\" --set \"system/initial motion/displacement "
-      "z=-0.05*z\" --set time/end=0.02";
+      "z=-0.05*z\" --set time/step=1e-6 --set time/end=1e-6"; // the start is looked at
 
   /// A block as it lies, without conditions.
   std::string free_scene(const std::string &geometry)
@@ -163,6 +163,8 @@ TEST(SurfaceFields, HaveTheAreaOfTheBlockBeforeAndAfterAMotion)
     for (const char *format : {"vtu", "hdf5"})
       for (const char *degree : {"1", "2", "3"})
         {
+          if (std::string(degree) == "3" && (is_turned || std::string(format) == "hdf5"))
+            continue; // takes long, and tells nothing more
           const std::string which = std::string(is_turned ? "tetrahedra, " : "block, ") + format + ", degree " + degree;
           const Outcome     run =
               run_program(folder, std::string("run ") + (is_turned ? "tetrahedra" : "block") + ".xml --out run" + surface_fields +

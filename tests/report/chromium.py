@@ -59,7 +59,8 @@ def try_charts(browser, name):
     browser.mouse("mouseMoved", *box)
     browser.wait(0.3)
     told = browser.ask("(report.charts[0].tooltip.opacity > 0 && report.charts[0].tooltip.body || []).flatMap(part => part.lines).join('; ')")
-    require(any(letter.isdigit() for letter in told), f"{name}: a point tells its value ({told})")
+    curve = browser.ask("report.data.charts[0].curves[0].title")
+    require(told.startswith(curve + ": ") and told[len(curve) + 2:len(curve) + 4].strip("-")[0].isdigit(), f"{name}: a point tells its curve and value ({told})")
 
 
 def try_body(browser, name):
