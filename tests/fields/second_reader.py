@@ -24,7 +24,8 @@ except ImportError as error:
 
 FIELDS = {"displacement": "m", "velocity": "m/s", "stretch": "", "pressure": "Pa", "fibre_direction": "", "stress_xx": "Pa"}
 SIZE = (0.03, 0.01, 0.01)
-SETTINGS = ["system/geometry/refinement=1", "system/discretisation/degree=2", "system/discretisation/quadrature points=3", "time/end=0.05", "time/step=0.025",
+SETTINGS = ["system/geometry/refinement=2", "system/discretisation/degree=2", "system/discretisation/quadrature points=3", "time/end=0.04", "time/step=0.02",
+            "solver/nonlinear/relative tolerance=1e-11",
             "output/fields/what=" + ", ".join(name.replace("_", " ") for name in FIELDS)]
 
 problems = []
@@ -110,7 +111,7 @@ def main(program, scenes, folder):
         first, sizes = None, {}
         for kind in ("vtu", "hdf5"):
             for ranks in (1, 2, 3):
-                name = f"{part}, {kind}, {ranks} ranks"
+                name = f"{part}, {kind}, {ranks} rank{'s' if ranks > 1 else ''}"
                 out = run(program, scene, ranks, part, kind, folder)
                 sizes[kind] = sum(os.path.getsize(os.path.join(out, file)) for file in os.listdir(out) if file.startswith("fields"))
                 points, cells, fields, units = (read_vtk if kind == "vtu" else read_hdf5)(out, 2)
