@@ -58,7 +58,7 @@ class Report:
 
 
 class Fields(NamedTuple):
-    """A body at one instant: hexahedra that share no points, into which cells of higher order are cut."""
+    """A body at one instant: hexahedra that share no points, into which cells of higher order are cut, or the faces of its surface."""
 
     t: float
     """[s]"""
@@ -68,6 +68,8 @@ class Fields(NamedTuple):
     """Places of the points at t [m]."""
     cells: np.ndarray
     """Points of each cell, (cells, 8), x fastest."""
+    faces: np.ndarray
+    """Points of each face, (faces, 4), counter-clockwise seen from outside, of a run with "surface only"; else none."""
     fields: Dict[str, np.ndarray]
     """Name to values at the points, (points,) or (points, 3)."""
 

@@ -109,14 +109,21 @@ namespace myolines
         return std::move(array);
       }
 
+      /// Numbers of points, those of a cell or face in each row.
+      template <std::size_t n>
+      py::array numbers(const std::vector<std::array<std::size_t, n>> &all)
+      {
+        py::array_t<std::int64_t> array({static_cast<py::ssize_t>(all.size()), static_cast<py::ssize_t>(n)});
+        auto                      at = array.mutable_unchecked<2>();
+        for (std::size_t i = 0; i < all.size(); ++i)
+          for (std::size_t v = 0; v < n; ++v)
+            at(i, v) = static_cast<std::int64_t>(all[i][v]);
+        return std::move(array);
+      }
+
       py::dict body(const picture::RunFields &fields, const std::size_t i)
       {
         const picture::Body       body = without_lock([&] { return fields.read(i); });
-        py::array_t<std::int64_t> cells({static_cast<py::ssize_t>(body.cells.size()), static_cast<py::ssize_t>(8)});
-        auto                      at = cells.mutable_unchecked<2>();
-        for (std::size_t c = 0; c < body.cells.size(); ++c)
-          for (unsigned int v = 0; v < 8; ++v)
-            at(c, v) = static_cast<std::int64_t>(body.cells[c][v]);
         py::dict named;
         for (const picture::Field &field : body.fields)
           {
@@ -129,7 +136,8 @@ namespace myolines
         dict["t"]      = body.t;
         dict["rest"]   = points(body.rest);
         dict["now"]    = points(body.now);
-        dict["cells"]  = cells;
+        dict["cells"]  = numbers(body.cells);
+        dict["faces"]  = numbers(body.faces);
         dict["fields"] = named;
         return dict;
       }

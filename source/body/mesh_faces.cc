@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_refusal.h"
 
+#include <myolines/base/counted.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -146,7 +148,7 @@ namespace myolines
             owner_[i] = number;
           }
         body_.face_names.push_back(name);
-        body_.report.push_back(std::to_string(members.size()) + " quadrilaterals on the face \"" + name + "\"" +
+        body_.report.push_back(counted(members.size(), "quadrilateral") + " on the face \"" + name + "\"" +
                                (name == MeshBody::rest ? ", which no surface of the mesh names" : ""));
       }
 

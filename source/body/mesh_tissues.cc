@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_refusal.h"
 
+#include <myolines/base/counted.h>
 #include <myolines/base/names.h>
 #include <myolines/body/cell_id.h>
 #include <myolines/materials/tissue.h>
@@ -138,13 +139,13 @@ namespace myolines
       }
     for (const auto &[volume, n] : of_volume)
       if (volume != 0)
-        body.report.push_back(std::to_string(n) + " cells in volume " + tissues.title(static_cast<int>(volume)));
+        body.report.push_back(counted(n, "cell") + " in volume " + tissues.title(static_cast<int>(volume)));
     if (const std::string stranger = tissues.stranger(); !stranger.empty())
       body.report.push_back("volume " + stranger + " is the only one and names no tissue: all is muscle");
     for (const auto &[tissue, n] : of_tissue)
       {
         body.tissues.push_back(names[tissue - 1]);
-        body.report.push_back(std::to_string(n) + " cells of " + body.tissues.back());
+        body.report.push_back(counted(n, "cell") + " of " + body.tissues.back());
       }
     return ids;
   }

@@ -26,7 +26,9 @@ namespace myolines
     const PlainMesh   mesh    = export_mesh(read_geometry(system.section("geometry"), tissues), tissues);
     on_writing_rank(file.string(), "a path in a folder that exists and can be written", "",
                     [&] { replace_file(file, mesh_text(mesh, file.extension().string())); });
-    out << "mesh written: " << file.string() << ", " << mesh.cells.size() << " hexahedra, " << mesh.points.size() << " points, in metres\n";
+    out << "mesh written: " << file.string() << ", "
+        << (mesh.cells.size() == 1 ? "1 hexahedron" : std::to_string(mesh.cells.size()) + " hexahedra") << ", " << mesh.points.size()
+        << " points, in metres\n";
     for (const auto &[number, name] : mesh.cell_groups)
       out << "  cells " << number << ": " << name << "\n";
     for (const auto &[number, name] : mesh.face_groups)

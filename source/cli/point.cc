@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/counted.h>
 #include <myolines/base/error.h>
 #include <myolines/cli/catalogue.h>
 #include <myolines/muscle1d/isometric_chain.h>
@@ -242,6 +243,6 @@ namespace myolines
     else
       system.refuse("type", "\"" + system.text("type") + "\" has no muscle", "a muscle, in one or three dimensions");
     const std::size_t drawn = study::draw(pictures, options.folder / "pictures");
-    out << "Tables and " << drawn << " pictures are in " << options.folder.string() << std::endl;
+    out << "Tables and " << counted(drawn, "picture") << ", in " << options.folder.string() << std::endl;
   }
 } // namespace myolines

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/checksum.h>
+#include <myolines/base/counted.h>
 #include <myolines/base/named_instruction_set.h>
 #include <myolines/base/names.h>
 #include <myolines/base/on_one_rank.h>
@@ -198,8 +199,8 @@ namespace myolines
         if (checkpoint->state.t == experiment.settings().end && run_is_done(path))
           {
             if (!options.quiet)
-              out << "The run in " << path.string() << " is finished: " << checkpoint->step
-                  << " steps to t = " << exact_text(checkpoint->state.t) << " s. A later end extends it: --set time/end=...\n";
+              out << "The run in " << path.string() << " is finished: " << counted(checkpoint->step, "step")
+                  << " to t = " << exact_text(checkpoint->state.t) << " s. A later end extends it: --set time/end=...\n";
             return;
           }
         require_tables(path, checkpoint->outputs);
@@ -265,7 +266,7 @@ namespace myolines
     close("done");
     if (options.quiet)
       return;
-    out << "Done: " << tally.steps << " steps to t = " << exact_text(tally.t) << " s, " << tally.rejections << " rejected.\n";
+    out << "Done: " << counted(tally.steps, "step") << " to t = " << exact_text(tally.t) << " s, " << tally.rejections << " rejected.\n";
     tell_energy();
     say_what_is_empty(outputs, out);
     say_where_to_look(options.program, outputs, out);

@@ -10,6 +10,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/numerics/data_out.h>
+#include <deal.II/numerics/data_out_faces.h>
 
 #include <algorithm>
 #include <cctype>
@@ -75,7 +76,52 @@ namespace myolines
       return y;
     }
 
-    /// The patches of some fields at an instant, and what they borrow.
+    /// A patch of each face that one cell alone has, counter-clockwise seen from outside.
+    class SurfaceOut : public dealii::DataOutFaces<3>
+    {
+    public:
+      using dealii::DataOutFaces<3>::build_patches;
+
+      void build_patches(const unsigned int degree) override
+      {
+        dealii::DataOutFaces<3>::build_patches(degree);
+        FaceDescriptor face = first_face(); // in the order of the patches
+        for (auto &patch : patches)
+          {
+            const auto            &corner = patch.vertices;
+            const dealii::Point<3> middle((corner[0] + corner[1] + corner[2] + corner[3]) / 4);
+            if (cross_product_3d(corner[1] - corner[0], corner[2] - corner[0]) * (middle - face.first->center()) < 0)
+              turn_over(patch, degree + 1);
+            face = next_face(face);
+          }
+      }
+
+    private:
+      /// Swaps the two directions of the face, along each of which there are @p n points.
+      static void turn_over(dealii::DataOutBase::Patch<2, 3> &patch, const unsigned int n)
+      {
+        std::swap(patch.vertices[1], patch.vertices[2]);
+        const auto before = patch.data;
+        for (unsigned int row = 0; row < before.n_rows(); ++row)
+          for (unsigned int j = 0; j < n; ++j)
+            for (unsigned int i = 0; i < n; ++i)
+              patch.data(row, i + n * j) = before(row, j + n * i);
+      }
+    };
+
+    /// Cells of this rank, or faces of its cells that no other cell has.
+    std::uint64_t own_patches(const Muscle3dSystem &system, const FieldPart part)
+    {
+      std::uint64_t n = 0;
+      for (const auto &cell : system.discretisation().mesh.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int face : cell->face_indices())
+            n += part == FieldPart::surface ? cell->face(face)->at_boundary() : face == 0;
+      return n;
+    }
+
+    /// The patches of some fields at an instant, and what they borrow. @p Out: DataOut<3> or SurfaceOut.
+    template <typename Out>
     class FieldPatches
     {
     public:
@@ -102,7 +148,7 @@ namespace myolines
             add(name, 3, vectors_, to_vector_element(space_, name == "displacement" ? state.u : state.v, vectors_));
       }
 
-      dealii::DataOut<3> out;
+      Out out;
 
     private:
       Vector project_direction(const Muscle3dSystem &system, const State &state, const PrincipalField &field) const
@@ -165,9 +211,10 @@ namespace myolines
 
     using Filter = dealii::DataOutBase::DataOutFilter;
 
-    void write_mesh(const Filter &filter, const std::filesystem::path &file, const MPI_Comm communicator)
+    void write_mesh(const Filter &filter, const unsigned int corners, const std::filesystem::path &file, const MPI_Comm communicator)
     {
-      const RowShare            points(filter.n_nodes(), communicator), cells(filter.n_cells(), communicator);
+      const bool                any = filter.n_nodes() > 0; // a filter without points does not know how many cells it has
+      const RowShare            points(filter.n_nodes(), communicator), cells(any ? filter.n_cells() : 0, communicator);
       std::vector<double>       positions;
       std::vector<unsigned int> vertices;
       if (points.own > 0)
@@ -175,7 +222,7 @@ namespace myolines
           filter.fill_node_data(positions);
           filter.fill_cell_data(points.before, vertices);
         }
-      Hdf5File hdf5(file, communicator, {{"nodes", points.all, 3, false, {}}, {"cells", cells.all, 8, true, {}}});
+      Hdf5File hdf5(file, communicator, {{"nodes", points.all, 3, false, {}}, {"cells", cells.all, corners, true, {}}});
       hdf5.write(0, positions, points);
       hdf5.write(1, vertices, cells);
       hdf5.close();
@@ -195,6 +242,68 @@ namespace myolines
           hdf5.write(i, std::vector<double>(values, values + tables[i].width * points.own), points);
         }
       hdf5.close();
+    }
+
+    /// What write_fields_vtu() does, see there.
+    template <typename Out>
+    std::string write_vtu(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::filesystem::path &folder,
+                          const unsigned int number)
+    {
+      const MPI_Comm                communicator = system.discretisation().communicator;
+      FieldPatches<Out>             patches(system, state, choice.names);
+      dealii::DataOutBase::VtkFlags flags(state.t, number);
+      flags.write_higher_order_cells = true;
+      for (const std::string &field : choice.names)
+        if (const std::string unit = field_unit(field); !unit.empty())
+          flags.physical_units[field_label(field)] = unit;
+      patches.out.set_flags(flags);
+      patches.out.build_patches(system.parameters().degree);
+      const auto text_of = [](const auto &write) {
+        std::ostringstream text;
+        write(text);
+        return text.str();
+      };
+      const auto piece = [number](const unsigned int rank) {
+        return number_of_file("fields_", number, "." + std::to_string(rank) + ".vtu");
+      };
+      const std::string  whole = number_of_file("fields-", number, ".vtu");
+      const unsigned int ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+      const unsigned int rank  = dealii::Utilities::MPI::this_mpi_process(communicator);
+      const bool         any   = own_patches(system, choice.part) > 0; // a piece without points is none to other readers
+      on_all_ranks(communicator, [&] {
+        if (any)
+          write_file(folder / (ranks == 1 ? whole : piece(rank)), text_of([&](std::ostream &out) { patches.out.write_vtu(out); }));
+      });
+      if (ranks == 1)
+        return whole;
+      std::vector<std::string>        pieces;
+      const std::vector<unsigned int> have = dealii::Utilities::MPI::all_gather(communicator, any ? 1u : 0u);
+      for (unsigned int r = 0; r < ranks; ++r)
+        if (have[r] > 0)
+          pieces.push_back(piece(r));
+      const std::string record = number_of_file("fields_", number, ".pvtu");
+      on_all_ranks(communicator, [&] {
+        if (rank == 0)
+          write_file(folder / record, text_of([&](std::ostream &out) { patches.out.write_pvtu_record(out, pieces); }));
+      });
+      return record;
+    }
+
+    /// What write_fields_hdf5() does, see there.
+    template <typename Out>
+    void write_hdf5(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::filesystem::path &folder,
+                    const std::string &file, const std::optional<std::string> &mesh)
+    {
+      FieldPatches<Out> patches(system, state, choice.names);
+      patches.out.build_patches(system.parameters().degree);
+      const MPI_Comm communicator = system.discretisation().communicator;
+      // Vertices shared by cells are not merged: discontinuous fields have a value in each cell.
+      Filter filter(dealii::DataOutBase::DataOutFilterFlags(/*merge*/ false, /*xdmf*/ true));
+      if (own_patches(system, choice.part) > 0)
+        patches.out.write_filtered_data(filter);
+      if (mesh)
+        write_mesh(filter, choice.part == FieldPart::surface ? 4 : 8, folder / *mesh, communicator);
+      write_data(filter, choice.names, folder / file, communicator);
     }
   } // namespace
 
@@ -244,60 +353,27 @@ namespace myolines
     return label;
   }
 
-  std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
-                               const std::string &folder, const unsigned int number)
+  std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::string &folder,
+                               const unsigned int number)
   {
-    const MPI_Comm                communicator = system.discretisation().communicator;
-    FieldPatches                  patches(system, state, fields);
-    dealii::DataOutBase::VtkFlags flags(state.t, number);
-    flags.write_higher_order_cells = true;
-    patches.out.set_flags(flags);
-    patches.out.build_patches(system.parameters().degree);
-    const auto text_of = [](const auto &write) {
-      std::ostringstream text;
-      write(text);
-      return text.str();
-    };
-    const auto piece = [number](const unsigned int rank) { return number_of_file("fields_", number, "." + std::to_string(rank) + ".vtu"); };
-    const std::string           whole = number_of_file("fields-", number, ".vtu");
-    const unsigned int          ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-    const unsigned int          rank  = dealii::Utilities::MPI::this_mpi_process(communicator);
-    const std::filesystem::path place(folder);
-    on_all_ranks(communicator, [&] {
-      write_file(place / (ranks == 1 ? whole : piece(rank)), text_of([&](std::ostream &out) { patches.out.write_vtu(out); }));
-    });
-    if (ranks == 1)
-      return whole;
-    std::vector<std::string> pieces;
-    for (unsigned int r = 0; r < ranks; ++r)
-      pieces.push_back(piece(r));
-    const std::string record = number_of_file("fields_", number, ".pvtu");
-    on_all_ranks(communicator, [&] {
-      if (rank == 0)
-        write_file(place / record, text_of([&](std::ostream &out) { patches.out.write_pvtu_record(out, pieces); }));
-    });
-    return record;
+    return choice.part == FieldPart::surface ? write_vtu<SurfaceOut>(system, state, choice, folder, number)
+                                             : write_vtu<dealii::DataOut<3>>(system, state, choice, folder, number);
   }
 
-  FieldSizes field_sizes(const Muscle3dSystem &system)
+  FieldSizes field_sizes(const Muscle3dSystem &system, const FieldPart part)
   {
-    const std::uint64_t degree = system.parameters().degree, cells = system.n_cells();
-    return {cells * (degree + 1) * (degree + 1) * (degree + 1), cells * degree * degree * degree};
+    const std::uint64_t patches = dealii::Utilities::MPI::sum(own_patches(system, part), system.discretisation().communicator);
+    const std::uint64_t k = system.parameters().degree, inner = part == FieldPart::surface ? 1 : k,
+                        outer = part == FieldPart::surface ? 1 : k + 1;
+    return {patches * (k + 1) * (k + 1) * outer, patches * k * k * inner};
   }
 
-  void write_fields_hdf5(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
-                         const std::string &folder, const std::string &file, const std::optional<std::string> &mesh)
+  void write_fields_hdf5(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::string &folder,
+                         const std::string &file, const std::optional<std::string> &mesh)
   {
-    FieldPatches patches(system, state, fields);
-    patches.out.build_patches(system.parameters().degree);
-    const MPI_Comm communicator = system.discretisation().communicator;
-    // Vertices shared by cells are not merged: discontinuous fields have a value in each cell.
-    dealii::DataOutBase::DataOutFilter filter(dealii::DataOutBase::DataOutFilterFlags(/*merge*/ false, /*xdmf*/ true));
-    if (system.discretisation().batches->n_owned_batches() > 0)
-      patches.out.write_filtered_data(filter);
-    const std::filesystem::path place(folder);
-    if (mesh)
-      write_mesh(filter, place / *mesh, communicator);
-    write_data(filter, fields, place / file, communicator);
+    if (choice.part == FieldPart::surface)
+      write_hdf5<SurfaceOut>(system, state, choice, folder, file, mesh);
+    else
+      write_hdf5<dealii::DataOut<3>>(system, state, choice, folder, file, mesh);
   }
 } // namespace myolines

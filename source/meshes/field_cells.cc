@@ -7,12 +7,17 @@ namespace myolines
 {
   namespace
   {
-    /// k of (k + 1)^3 points, 0 if there is none.
-    unsigned int degree_of(const std::size_t points)
+    /// k of (k + 1)^dim points, 0 if there is none.
+    unsigned int degree_of(const std::size_t points, const unsigned int dim)
     {
-      const auto n = static_cast<unsigned int>(std::lround(std::cbrt(static_cast<double>(points))));
-      return static_cast<std::size_t>(n) * n * n == points && n > 1 ? n - 1 : 0;
+      const auto        n      = static_cast<unsigned int>(std::lround(std::pow(static_cast<double>(points), 1. / dim)));
+      const std::size_t square = static_cast<std::size_t>(n) * n;
+      return (dim == 2 ? square : square * n) == points && n > 1 ? n - 1 : 0;
     }
+
+    // Types of VTK.
+    constexpr int quadrilateral = 9, hexahedron = 12, lagrange_quadrilateral = 70, lagrange_hexahedron = 72;
+    constexpr int triquadratic_hexahedron = 29;
   } // namespace
 
   // The arrangement of vtkLagrangeHexahedron:
@@ -48,6 +53,20 @@ namespace myolines
     return place + 6 * plane + (i - 1) + inner * ((j - 1) + inner * (k - 1));
   }
 
+  // The same of vtkLagrangeQuadrilateral.
+  std::size_t lagrange_place(const unsigned int i, const unsigned int j, const unsigned int n)
+  {
+    const bool        at_i = i == 0 || i == n, at_j = j == 0 || j == n;
+    const std::size_t inner = n - 1;
+    if (at_i && at_j)
+      return i == 0 ? (j == 0 ? 0 : 3) : (j == 0 ? 1 : 2);
+    if (at_j)
+      return 4 + (i - 1) + (j == 0 ? 0 : 2 * inner);
+    if (at_i)
+      return 4 + (j - 1) + (i == 0 ? 3 * inner : inner);
+    return 4 + 4 * inner + (i - 1) + inner * (j - 1);
+  }
+
   void FieldCells::add_points(const std::vector<double> &x)
   {
     first_point_ = grid_.points.size();
@@ -68,15 +87,18 @@ namespace myolines
     double            begin    = 0;
     for (std::size_t c = 0; c < types.size(); ++c)
       {
-        if (types[c] != 12 && types[c] != 29 && types[c] != 72)
+        const bool face = types[c] == quadrilateral || types[c] == lagrange_quadrilateral;
+        if (!face && types[c] != hexahedron && types[c] != triquadratic_hexahedron && types[c] != lagrange_hexahedron)
           cursor_.refuse("cell " + std::to_string(c) + " is of type " + std::to_string(static_cast<int>(types[c])) + " of VTK",
-                         "hexahedra (types 12 and 72), as runs write them");
+                         "hexahedra (types 12 and 72) or quadrilaterals (9 and 70), as runs write them");
         if (!(ends[c] >= begin && ends[c] <= static_cast<double>(connectivity.size())))
           cursor_.refuse("the points of cell " + std::to_string(c) + " have no end", "ends that ascend", "the file is damaged");
         const auto         first = static_cast<std::size_t>(begin), size = static_cast<std::size_t>(ends[c]) - first;
-        const unsigned int degree = types[c] == 72 ? degree_of(size) : size == 8 ? 1 : 0;
+        const bool         straight = types[c] == quadrilateral || types[c] == hexahedron || types[c] == triquadratic_hexahedron;
+        const unsigned int dim = face ? 2 : 3, degree = !straight ? degree_of(size, dim) : size == (face ? 4u : 8u) ? 1 : 0;
         if (degree == 0)
-          cursor_.refuse("cell " + std::to_string(c) + " has " + std::to_string(size) + " points", "the cube of a number from 2 on");
+          cursor_.refuse("cell " + std::to_string(c) + " has " + std::to_string(size) + " points",
+                         std::string("the ") + (face ? "square" : "cube") + " of a number from 2 on");
         std::vector<unsigned int> points;
         for (std::size_t v = first; v < first + size; ++v)
           {
@@ -84,15 +106,32 @@ namespace myolines
               cursor_.refuse("a point of cell " + std::to_string(c) + " is not there", "numbers of points", "the file is damaged");
             points.push_back(static_cast<unsigned int>(first_point_ + static_cast<std::size_t>(connectivity[v])));
           }
-        const bool                swapped = degree > 1 && has_swapped_edges(points, degree);
-        std::vector<unsigned int> cell;
-        for (unsigned int k = 0; k <= degree; ++k)
-          for (unsigned int j = 0; j <= degree; ++j)
-            for (unsigned int i = 0; i <= degree; ++i)
-              cell.push_back(points[lagrange_place(i, j, k, degree, swapped)]);
-        grid_.cells.push_back(std::move(cell));
+        if (face)
+          add_face(points, degree);
+        else
+          add_cell(points, degree);
         begin = ends[c];
       }
+  }
+
+  void FieldCells::add_cell(const std::vector<unsigned int> &points, const unsigned int degree)
+  {
+    const bool                swapped = degree > 1 && has_swapped_edges(points, degree);
+    std::vector<unsigned int> cell;
+    for (unsigned int k = 0; k <= degree; ++k)
+      for (unsigned int j = 0; j <= degree; ++j)
+        for (unsigned int i = 0; i <= degree; ++i)
+          cell.push_back(points[lagrange_place(i, j, k, degree, swapped)]);
+    grid_.cells.push_back(std::move(cell));
+  }
+
+  void FieldCells::add_face(const std::vector<unsigned int> &points, const unsigned int degree)
+  {
+    std::vector<unsigned int> face;
+    for (unsigned int j = 0; j <= degree; ++j)
+      for (unsigned int i = 0; i <= degree; ++i)
+        face.push_back(points[lagrange_place(i, j, degree)]);
+    grid_.faces.push_back(std::move(face));
   }
 
   /// The edge from (0, n, 0) to (0, n, n) is where its points lie nearer to the straight line between these corners: files do not tell the
@@ -132,6 +171,8 @@ namespace myolines
 
   void FieldCells::finish()
   {
+    if (!grid_.cells.empty() && !grid_.faces.empty())
+      cursor_.refuse("there are hexahedra and quadrilaterals", "a body or its surface");
     for (const PlainMesh::Field &field : grid_.fields)
       if (field.values.size() != field.n_components * grid_.points.size())
         cursor_.refuse("the array \"" + field.name + "\" is not in all pieces", "the same arrays in each");

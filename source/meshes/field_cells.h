@@ -23,6 +23,8 @@ namespace myolines
     void finish();
 
   private:
+    void add_cell(const std::vector<unsigned int> &points, unsigned int degree);
+    void add_face(const std::vector<unsigned int> &points, unsigned int degree);
     bool has_swapped_edges(const std::vector<unsigned int> &points, unsigned int degree) const;
 
     const Cursor &cursor_;
@@ -33,4 +35,6 @@ namespace myolines
   /// Where VTK has the point (i, j, k) of a hexahedron of degree @p n: corners, then points within edges, faces and the cell. Versions of
   /// VTK before 9 had two of the edges swapped.
   std::size_t lagrange_place(unsigned int i, unsigned int j, unsigned int k, unsigned int n, bool swapped_edges);
+  /// Where it has the point (i, j) of a quadrilateral: corners, then points within edges and the face.
+  std::size_t lagrange_place(unsigned int i, unsigned int j, unsigned int n);
 } // namespace myolines

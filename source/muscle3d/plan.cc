@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/counted.h>
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/muscle3d_system.h>
@@ -65,7 +66,7 @@ namespace myolines
     const std::string ties = list_conditions(p, &BoundaryFacts::says_tie), springs = list_conditions(p, &BoundaryFacts::says_spring);
     lines.push_back(line("ties", !ties.empty(),
                          ties.empty() ? "no face is a symmetry plane or moves as one"
-                                      : ties + "; " + std::to_string(count_relations(*discretisation_)) + " relations between unknowns"));
+                                      : ties + "; " + counted(count_relations(*discretisation_), "relation") + " between unknowns"));
     lines.push_back(line("springs at faces", !springs.empty(), springs.empty() ? "no foundation, tendon or stop" : springs));
     lines.push_back(std::string("tangent: ") + (capabilities().symmetric_tangent ? "symmetric" : "exact, not symmetric") +
                     "; kernels: " + name(discretisation_->instruction_set) + ", " + std::to_string(n_lanes) + " cells at once");

@@ -75,7 +75,7 @@ namespace myolines
     public:
       Equilibria(const Muscle1dSystem &system, const OutputFolder &folder)
         : system_(system)
-        , csv_(folder, "equilibria.csv",
+        , csv_(folder, {"equilibria.csv", "Equilibria of the chain, by the branches that its elements are on"},
                {"branch 1 elements", "branch 2 elements", "branch 3 elements", "branch 1 stretch", "branch 2 stretch", "branch 3 stretch",
                 "force/F0", "unstable directions"})
       {}

@@ -19,9 +19,9 @@ namespace myolines
     /// What fields are written of and to.
     struct FieldOutput
     {
-      const Muscle3dSystem    &system;
-      std::vector<std::string> names;
-      std::filesystem::path    folder;
+      const Muscle3dSystem &system;
+      FieldChoice           choice;
+      std::filesystem::path folder;
     };
 
     std::string numbered(const std::string &before, const std::size_t number, const std::string &after)
@@ -54,7 +54,7 @@ namespace myolines
       void write(const FieldOutput &output, const State &state, WrittenInstants &written) override
       {
         const auto        number = static_cast<unsigned int>(written.size());
-        const std::string file   = write_fields_vtu(output.system, state, output.names, output.folder.string(), number);
+        const std::string file   = write_fields_vtu(output.system, state, output.choice, output.folder.string(), number);
         written.push_back({state.t, std::filesystem::path(file).extension() == ".pvtu" ? 1u : 0u});
         std::vector<std::pair<double, std::string>> files;
         for (std::size_t i = 0; i < written.size(); ++i)
@@ -73,7 +73,7 @@ namespace myolines
         const std::size_t number = written.size();
         const bool        first  = !mesh_;
         mesh_                    = mesh_.value_or(number);
-        write_fields_hdf5(output.system, state, output.names, output.folder.string(), numbered("fields-", number, ".h5"),
+        write_fields_hdf5(output.system, state, output.choice, output.folder.string(), numbered("fields-", number, ".h5"),
                           first ? std::make_optional(mesh_name(number)) : std::nullopt);
         written.push_back({state.t, *mesh_});
         replace_file(output.folder / "fields.xdmf", xdmf_text(output, written));
@@ -84,16 +84,18 @@ namespace myolines
 
       static std::string xdmf_text(const FieldOutput &output, const WrittenInstants &written)
       {
-        const FieldSizes sizes = field_sizes(output.system);
-        std::string      text  = "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
-                                 "    <Grid Name=\"CellTime\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+        const FieldSizes sizes   = field_sizes(output.system, output.choice.part);
+        const bool       surface = output.choice.part == FieldPart::surface;
+        const auto       shape   = surface ? dealii::ReferenceCells::Quadrilateral : dealii::ReferenceCells::Hexahedron;
+        std::string      text    = "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"2.0\">\n  <Domain>\n"
+                                   "    <Grid Name=\"CellTime\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
         for (std::size_t i = 0; i < written.size(); ++i)
           {
             dealii::XDMFEntry entry(mesh_name(written[i].variant), numbered("fields-", i, ".h5"), written[i].t, sizes.points, sizes.cells,
-                                    3);
-            for (const std::string &name : output.names)
+                                    surface ? 2 : 3, 3);
+            for (const std::string &name : output.choice.names)
               entry.add_attribute(field_label(name), is_vector_field(name) ? 3 : 1);
-            text += entry.get_xdmf_content(3, dealii::ReferenceCells::Hexahedron);
+            text += entry.get_xdmf_content(3, shape);
           }
         return text + "    </Grid>\n  </Domain>\n</Xdmf>\n";
       }
@@ -115,11 +117,14 @@ namespace myolines
     public:
       Fields(const scene::Node &fields, const Muscle3dSystem &system, const OutputFolder &folder, WorkLedger &ledger)
         : PeriodicOutput(fields.integer("every"), read_instants(fields))
-        , output_{system, read_names(fields, field_names(system.parameters()), "field"), folder.path}
+        , output_{system,
+                  {read_names(fields, field_names(system.parameters()), "field"),
+                   fields.boolean("surface only") ? FieldPart::surface : FieldPart::body},
+                  folder.path}
         , memory_("fields, " + fields.text("format"))
         , ledger_(ledger)
       {
-        if (!system.line_of_action().line && std::count(output_.names.begin(), output_.names.end(), "pennation") > 0)
+        if (!system.line_of_action().line && std::count(output_.choice.names.begin(), output_.choice.names.end(), "pennation") > 0)
           fields.refuse("what",
                         "pennation is the angle to the line of action, which the body does not have: " + system.line_of_action().why_none,
                         "other fields, or a list \"line of action\" in \"system\"");
@@ -128,7 +133,7 @@ namespace myolines
             format_ = std::make_unique<Hdf5>();
             for (const char *name : {"fields-*.h5", "fields-mesh-*.h5", "fields.xdmf"})
               folder.note(name);
-            memory_ += ": " + fields.text("what"); // fields.xdmf lists the same fields at all times
+            memory_ += ": " + fields.text("what") + (fields.boolean("surface only") ? ", surface" : ""); // at all times the same
           }
         else
           {
@@ -173,6 +178,10 @@ namespace myolines
         .text("what", "displacement",
               "Names separated by commas, of: " + join(field_names()) +
                   "; and of each law of a tissue its stress, for example \"stress of myocardium wall\".")
+        .boolean(
+            "surface only", false,
+            "Only the faces of the surface, as quadrilaterals that go round counter-clockwise seen from outside; fields at "
+            "quadrature points are those of the cell behind. Pictures and reports read them; lines along fibres and cuts need the body.")
         .choice(
             "format", "vtu", {"vtu", "hdf5"},
             "vtu: fields-NNNN.vtu with high-order cells, a file for each rank, listed in fields.pvd; hdf5: fields-NNNN.h5, one file for "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
 #include <myolines/output/file_lock.h>
+#include <myolines/output/refused_name.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -20,6 +21,25 @@ namespace myolines
       char host[256] = "";
       gethostname(host, sizeof host - 1);
       return std::string(host) + ", process " + std::to_string(getpid());
+    }
+
+    /// How to mend that the file @p lock cannot be opened.
+    std::string mending(const std::filesystem::path &lock, const int error)
+    {
+      const std::string folder = lock.has_parent_path() ? lock.parent_path().string() : ".";
+      const std::string other  = "choose another folder with --out";
+      switch (error)
+        {
+        case EACCES:
+        case EPERM:
+          return "allow yourself to write there (chmod u+w \"" + folder + "\"), or " + other;
+        case EROFS:
+          return "its file system can only be read: " + other;
+        case ELOOP:
+          return "it is a symbolic link: remove it, or " + other;
+        default:
+          return other;
+        }
     }
 
     std::string written_in(const int descriptor)
@@ -50,13 +70,12 @@ namespace myolines
 
   void FileLock::lock(const Kind kind, const std::string &holder)
   {
-    const auto refuse = [&](const std::string &what) {
-      throw InputError(InputProblem{file_.string(), what, "a folder into which nothing else writes",
-                                    "wait for its end, or choose another folder with --out"});
-    };
     descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor_ < 0 && !is_of_the_name(errno))
+      throw SystemError("write", file_, errno);
     if (descriptor_ < 0)
-      refuse(std::string("cannot be written: ") + std::strerror(errno));
+      throw InputError(InputProblem{file_.string(), std::string("cannot be written: ") + std::strerror(errno),
+                                    "a folder in which files can be made", mending(file_, errno)});
     if (flock(descriptor_, (kind == Kind::shared ? LOCK_SH : LOCK_EX) | LOCK_NB) == 0)
       {
         const std::string text = this_process();
@@ -68,7 +87,11 @@ namespace myolines
         const int         reason = errno;
         const std::string who    = kind == Kind::exclusive ? written_in(descriptor_) : "";
         close(descriptor_);
-        refuse(reason == EWOULDBLOCK ? holder + " is running here" + (who.empty() ? "" : " (" + who + ")") : std::strerror(reason));
+        const bool taken = reason == EWOULDBLOCK;
+        throw InputError(InputProblem{file_.string(),
+                                      taken ? holder + " is running here" + (who.empty() ? "" : " (" + who + ")") : std::strerror(reason),
+                                      "a folder into which nothing else writes",
+                                      std::string(taken ? "wait for its end, or " : "") + "choose another folder with --out"});
       }
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
 #include <myolines/base/files.h>
+#include <myolines/output/refused_name.h>
 #include <myolines/output/text_file.h>
 
 #include <deal.II/base/mpi.h>
@@ -55,15 +56,6 @@ namespace myolines
       int                      kind = none, error_number = 0;
       std::vector<std::string> words; ///< four for each problem, or what the system said
     };
-
-    /// Names that cannot be used are wrong input; what has nothing to do with the name is not.
-    bool is_of_the_name(const int error)
-    {
-      for (const int other : {ENOSPC, EDQUOT, EIO, EFBIG, ENOMEM, ENFILE, EMFILE})
-        if (error == other)
-          return false;
-      return true;
-    }
 
     void tell(Refusal &refusal, const InputProblem &problem)
     {

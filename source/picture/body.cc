@@ -74,7 +74,7 @@ namespace myolines::picture
       return name;
     }
 
-    /// Cuts cells of degree k into k^3.
+    /// Cuts cells of degree k into k^3, and faces into k^2.
     void append(const FieldGrid &grid, Body &body)
     {
       const std::size_t first = body.rest.size();
@@ -92,6 +92,14 @@ namespace myolines::picture
                     part[v] = first + cell[(i + v % 2) + n * ((j + v / 2 % 2) + n * (k + v / 4))];
                   body.cells.push_back(part);
                 }
+        }
+      for (const auto &face : grid.faces)
+        {
+          const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(face.size()))));
+          for (std::size_t j = 0; j + 1 < n; ++j)
+            for (std::size_t i = 0; i + 1 < n; ++i)
+              body.faces.push_back({{first + face[i + n * j], first + face[i + 1 + n * j], first + face[i + 1 + n * (j + 1)],
+                                     first + face[i + n * (j + 1)]}});
         }
       for (const PlainMesh::Field &field : grid.fields)
         {
@@ -148,7 +156,7 @@ namespace myolines::picture
     return nullptr;
   }
 
-  bool Body::is_on_the_mesh_of(const Body &other) const { return rest == other.rest && cells == other.cells; }
+  bool Body::is_on_the_mesh_of(const Body &other) const { return rest == other.rest && cells == other.cells && faces == other.faces; }
 
   static_assert(most_tissues == CellId::n_tissues - 1, "a colour for each");
 
@@ -224,8 +232,10 @@ namespace myolines::picture
         append(read_field_grid(piece), body);
     else
       append(read_field_grid(instant.files.front()), body);
-    if (body.cells.empty())
-      throw InputError(InputProblem{instant.files.front().string(), "there are no cells", "hexahedra", ""});
+    if (body.cells.empty() == body.faces.empty())
+      throw InputError(InputProblem{instant.files.front().string(),
+                                    body.cells.empty() ? "there are no cells" : "there are cells and faces of a surface",
+                                    "hexahedra, or quadrilaterals of a surface", ""});
     for (const Field &field : body.fields)
       if (field.values.size() != field.n_components * body.rest.size())
         throw InputError(InputProblem{

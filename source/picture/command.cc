@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/counted.h>
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/output/manifest.h>
@@ -37,16 +38,19 @@ namespace myolines::picture
         throw InputError(InputProblem{option, what, expected, ""});
     }
 
+    const char *const whole_body = "fields of the whole body: a run without output/fields/surface only";
+
     Cut cut_of(const std::string &text, const Body &body)
     {
-      const std::optional<double> place = text.size() > 2 ? scene::parse_number(text.substr(2)) : std::nullopt;
-      require(text.size() > 2 && text[0] >= 'x' && text[0] <= 'z' && text[1] == ':' && place && *place > 0 && *place < 1, "--cut",
-              "\"" + text + "\" is no cut", "an axis and a part of the body's extent along it, between 0 and 1: \"z:0.5\"");
+      const double place = text.size() > 2 ? scene::parse_number(text.substr(2)).value_or(-1) : -1;
+      require(place > 0 && place < 1 && text[0] >= 'x' && text[0] <= 'z' && text[1] == ':', "--cut", "\"" + text + "\" is no cut",
+              "an axis and a part of the body's extent along it, between 0 and 1: \"z:0.5\"");
+      require(!body.is_surface(), "--cut", "the run wrote its surface alone, in which there is nothing to cut", whole_body);
       const auto   axis = static_cast<unsigned int>(text[0] - 'x');
       const auto   less = [axis](const Vec &a, const Vec &b) { return a[axis] < b[axis]; };
       const auto   ends = std::minmax_element(body.rest.begin(), body.rest.end(), less);
       const double low = (*ends.first)[axis], high = (*ends.second)[axis];
-      return {axis, low + *place * (high - low)};
+      return {axis, low + place * (high - low)};
     }
 
     void check(const PictureOptions &options)
@@ -106,20 +110,27 @@ namespace myolines::picture
         return panels;
       }
 
-      std::size_t n_frames() const
+      /// Those at which any of the runs wrote fields, ascending. Times of two runs that differ by rounding are one.
+      std::vector<double> frame_times() const
       {
-        std::size_t n = runs_.front().size();
+        std::vector<double> all, times;
         for (const RunFields &run : runs_)
-          n = std::min(n, run.size());
-        return n;
+          for (std::size_t i = 0; i < run.size(); ++i)
+            all.push_back(run.time(i));
+        std::sort(all.begin(), all.end());
+        const double rounding = 1e-9 * std::max(std::abs(all.front()), std::abs(all.back()));
+        for (const double t : all)
+          if (times.empty() || t - times.back() > rounding)
+            times.push_back(t);
+        return times;
       }
 
-      /// All runs at instant @p i of the first.
-      std::vector<Panel> frame(const std::size_t i) const
+      /// All runs at the instant of each that is nearest to @p t.
+      std::vector<Panel> frame(const double t) const
       {
         std::vector<Panel> panels;
         for (std::size_t r = 0; r < runs_.size(); ++r)
-          panels.push_back(panel(r, r == 0 ? i : runs_[r].nearest(runs_.front().time(i))));
+          panels.push_back(panel(r, runs_[r].nearest(t)));
         return panels;
       }
 
@@ -147,6 +158,7 @@ namespace myolines::picture
       std::vector<std::vector<Vec>> lines_of(const std::size_t r) const
       {
         const Body body = runs_[r].read(0);
+        require(!body.is_surface(), "--fibres", "the run \"" + name_of(options_.folders[r]) + "\" wrote its surface alone", whole_body);
         if (!has_fibres(body))
           throw InputError(InputProblem{"--fibres", "the run \"" + name_of(options_.folders[r]) + "\" wrote no directions of fibres",
                                         "the field \"fibre direction\"", "run it again with it in output/fields/what"});
@@ -181,13 +193,14 @@ namespace myolines::picture
 
     void draw_frames(const Pictures &pictures, const double rate, Folder &folder)
     {
-      Frame frame = frame_of(pictures.frame(0), pictures.style());
-      for (std::size_t i = 1; i < pictures.n_frames(); ++i)
-        widen(frame, frame_of(pictures.frame(i), pictures.style()));
+      const std::vector<double> times = pictures.frame_times();
+      Frame                     frame = frame_of(pictures.frame(times.front()), pictures.style());
+      for (const double t : times)
+        widen(frame, frame_of(pictures.frame(t), pictures.style()));
       std::vector<Pixels> all;
-      for (std::size_t i = 0; i < pictures.n_frames(); ++i)
+      for (std::size_t i = 0; i < times.size(); ++i)
         {
-          all.push_back(pixels_of(sheet_of(pictures.frame(i), pictures.style(), frame)));
+          all.push_back(pixels_of(sheet_of(pictures.frame(times[i]), pictures.style(), frame)));
           char number[32];
           std::snprintf(number, sizeof number, "-%04zu.png", i);
           folder.write(pictures.name() + number, png_of(all.back()));
@@ -214,6 +227,7 @@ namespace myolines::picture
       }
     if (own)
       list_in_manifest(options.folders.front(), folder.names);
-    out << folder.names.size() << " pictures, coloured by " << pictures.style().field << ", are in " << folder.path.string() << ".\n";
+    out << counted(folder.names.size(), "picture") << ", coloured by " << pictures.style().field << ", in " << folder.path.string()
+        << ".\n";
   }
 } // namespace myolines::picture

@@ -194,7 +194,7 @@ namespace myolines::picture
   bool has_fibres(const Body &body)
   {
     const Field *fibre = body.find(fibre_field);
-    return fibre != nullptr && fibre->n_components == 3;
+    return fibre != nullptr && fibre->n_components == 3 && !body.is_surface();
   }
 
   std::vector<std::vector<Vec>> fibre_lines(const Body &body, const unsigned int number)

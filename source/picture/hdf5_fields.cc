@@ -70,22 +70,23 @@ namespace myolines::picture
     FieldGrid    grid;
     const Opened of_mesh(H5Fopen(mesh.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, mesh);
     const Table  nodes = read_table(of_mesh, "nodes", mesh), cells = read_table(of_mesh, "cells", mesh);
-    if (nodes.width != 3 || cells.width != 8)
-      throw InputError(InputProblem{mesh.string(), "points or cells have another number of columns", "3 and 8", ""});
+    if (nodes.width != 3 || (cells.width != 8 && cells.width != 4))
+      throw InputError(InputProblem{mesh.string(), "points or cells have another number of columns", "3, and 8 or 4 of a surface", ""});
     for (std::size_t p = 0; p < nodes.values.size(); p += 3)
       grid.points.push_back({{nodes.values[p], nodes.values[p + 1], nodes.values[p + 2]}});
-    for (std::size_t c = 0; c < cells.values.size(); c += 8)
+    const std::vector<std::size_t> corners{0, 1, 3, 2, 4, 5, 7, 6}; // they go round in the file
+    for (std::size_t c = 0; c < cells.values.size(); c += cells.width)
       {
         std::vector<unsigned int> cell;
-        for (const std::size_t v : {0, 1, 3, 2, 4, 5, 7, 6}) // corners go round in the file
+        for (std::size_t v = 0; v < cells.width; ++v)
           {
-            const double point = cells.values[c + v];
+            const double point = cells.values[c + corners[v]];
             if (!(point >= 0 && point < static_cast<double>(grid.points.size())))
-              throw InputError(InputProblem{mesh.string(), "a point of cell " + std::to_string(c / 8) + " is not there",
+              throw InputError(InputProblem{mesh.string(), "a point of cell " + std::to_string(c / cells.width) + " is not there",
                                             "numbers of points", "the file is damaged"});
             cell.push_back(static_cast<unsigned int>(point));
           }
-        grid.cells.push_back(cell);
+        (cells.width == 8 ? grid.cells : grid.faces).push_back(cell);
       }
     const Opened of_fields(H5Fopen(fields.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, fields);
     for (const std::string &name : names_in(of_fields))

@@ -163,6 +163,7 @@ namespace myolines::picture
           }
       }
     Surface surface;
+    surface.quads = body.faces;
     for (const auto &[key, face] : seen)
       if (face.second == 1)
         surface.quads.push_back(face.first);

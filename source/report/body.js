@@ -56,13 +56,20 @@
   fibres.setAttribute('position', attribute(new Float32Array(3 * begin), 3));
   fibres.setAttribute('color', attribute(new Float32Array(3 * begin), 3));
   const fascicles = new THREE.LineSegments(fibres, new THREE.LineBasicMaterial({ vertexColors: coloured }));
+  const marks = ['low', 'high'].map((which, i) => { // where the least and the greatest value is
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', attribute(new Float32Array(3), 3));
+    const point = new THREE.Points(geometry, new THREE.PointsMaterial({ color: report.marks[i], size: 11, sizeAttenuation: false, depthTest: false }));
+    point.renderOrder = 2;
+    return point;
+  });
   const scene = new THREE.Scene(), camera = new THREE.OrthographicCamera(-1, 1, 1, -1, -10, 10);
   const lamp = new THREE.DirectionalLight(0xffffff, 0.75);
-  scene.add(skin, outline, fascicles, new THREE.AmbientLight(0xffffff, 0.55), lamp);
+  scene.add(skin, outline, fascicles, ...marks, new THREE.AmbientLight(0xffffff, 0.55), lamp);
 
   // What is seen
   const start = { azimuth: 25, elevation: 20, zoom: 1 };
-  const state = { ...start, instant: instants.length - 1, field: 0, veil: pairs.length > 0, rest: true };
+  const state = { ...start, instant: instants.length - 1, field: 0, veil: pairs.length > 0, rest: true, marks: true };
   const right = new THREE.Vector3(...body.axes.right), up = new THREE.Vector3(...body.axes.up), front = right.clone().cross(up);
 
   // Half of the extents of the whole motion, seen from where the view starts.
@@ -101,6 +108,14 @@
       colours(values[state.field].lines[state.instant], field, fibres.attributes.color.array);
       surface.attributes.color.needsUpdate = fibres.attributes.color.needsUpdate = true;
     }
+    marks.forEach((mark, i) => {
+      const at = field && field.marks[i];
+      mark.visible = state.marks && !!at;
+      if (!at) return;
+      mark.geometry.attributes.position.array.set(at.map((x, c) => (x - middle[c]) / size));
+      mark.geometry.attributes.position.needsUpdate = true;
+      mark.geometry.computeBoundingSphere();
+    });
     skin.material.opacity = state.veil ? 0.3 : 1;
     skin.material.depthWrite = !state.veil;
     fascicles.visible = state.veil;
@@ -132,14 +147,21 @@
   const element = (name, properties) => Object.assign(document.createElement(name), properties);
   const labelled = (text, control) => { const label = element('label', { textContent: text + ' ' }); label.append(control); return label; };
   const unit = field => field.unit ? ' [' + field.unit + ']' : '';
-  const digits = value => Number(value.toPrecision(4)).toString();
+  const digits = report.digits;
   const choice = element('select', { id: 'field' });
   body.fields.forEach((field, i) => choice.append(element('option', { value: i, textContent: field.name + unit(field) })));
   const slider = element('input', { type: 'range', min: 0, max: instants.length - 1, step: 1, value: state.instant, id: 'instant' });
   const clock = element('output', { id: 'clock' });
+  const ends = element('input', { type: 'checkbox', checked: true });
   const veil = element('input', { type: 'checkbox', checked: state.veil }), shape = element('input', { type: 'checkbox', checked: true });
   const key = element('div', { className: 'key' }), ramp = element('span', { className: 'ramp' });
-  const lowest = element('span', {}), highest = element('span', {}), pointed = element('output', { id: 'pointed', className: 'hint' });
+  const what = element('span', {}), lowest = element('span', {}), highest = element('span', {}), where = element('span', { className: 'hint' }), pointed = element('output', { id: 'pointed', className: 'hint' });
+  ['least', 'greatest'].forEach((word, i) => {
+    const dot = element('span', { className: 'mark' });
+    dot.style.background = report.marks[i];
+    where.append(i ? ' ' : '', dot, ' ' + word + ' of all times');
+  });
+  key.append(what, lowest, ramp, highest, where);
   function swatch(tissue) {
     const box = element('span', { className: 'swatch' });
     box.style.background = tissue.colour;
@@ -158,7 +180,7 @@
   if (instants.length > 1) controls.append(play, labelled('Time', slider));
   controls.append(clock);
   if (pairs.length > 0) controls.append(labelled('Fibres', veil));
-  controls.append(labelled('At rest', shape), report.button('Reset view', () => { Object.assign(state, start); draw(); }));
+  controls.append(labelled('At rest', shape), labelled('Least and greatest', ends), report.button('Reset view', () => { Object.assign(state, start); draw(); }));
   canvas.className = 'scene';
   canvas.tabIndex = 0;
   canvas.setAttribute('role', 'application');
@@ -170,16 +192,19 @@
     clock.textContent = 't = ' + digits(body.times[state.instant]) + ' s';
     slider.value = state.instant;
     if (!field) return;
+    what.textContent = field.name;
+    where.hidden = !state.marks || field.map === 'tissues';
     const most = Math.max(-field.low, field.high), diverging = field.map === 'diverging';
     lowest.textContent = digits(diverging ? -most : field.low);
     highest.textContent = digits(diverging ? most : field.high) + ' ' + (field.unit || '');
     ramp.style.background = 'linear-gradient(to right, ' + body.maps[field.map].join(',') + ')';
-    if (field.map === 'tissues') key.replaceChildren(...body.tissues.map(swatch)); else key.replaceChildren(lowest, ramp, highest);
+    key.replaceChildren(what, ...(field.map === 'tissues' ? body.tissues.map(swatch) : [lowest, ramp, highest, where]));
   }
   function show(instant) { state.instant = instant; update(); }
   choice.addEventListener('change', () => { state.field = Number(choice.value); update(); });
   slider.addEventListener('input', () => show(Number(slider.value)));
   veil.addEventListener('change', () => { state.veil = veil.checked; update(); });
+  ends.addEventListener('change', () => { state.marks = ends.checked; update(); });
   shape.addEventListener('change', () => { state.rest = shape.checked; update(); });
 
   function turn(azimuth, elevation) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "body_data.h"
+#include "field_range.h"
 #include "reports.h"
 
 #include <myolines/measures/fields.h>
@@ -85,45 +86,20 @@ namespace myolines::report
       return few;
     }
 
-    /// What there is of a field, over all times.
-    struct FieldRange
+    /// A field, with its numbers at each time as the script gets them.
+    struct ShownField : FieldRange
     {
-      std::string name;
-      double      low = std::numeric_limits<double>::infinity(), high = -low;
-      Vec         at_low, at_high; ///< at rest [m]
-      double      t_low = 0, t_high = 0;
-      Json        points = Json::array(), lines = Json::array();
+      using FieldRange::FieldRange;
 
-      void take(const Body &body, const std::vector<double> &values)
-      {
-        for (std::size_t p = 0; p < values.size(); ++p)
-          {
-            if (values[p] < low)
-              {
-                low    = values[p];
-                at_low = body.rest[p];
-                t_low  = body.t;
-              }
-            if (values[p] > high)
-              {
-                high    = values[p];
-                at_high = body.rest[p];
-                t_high  = body.t;
-              }
-          }
-      }
+      Json points = Json::array(), lines = Json::array();
     };
 
     /// Fields for the reader to choose from: vectors by their length, and no parts of the directions of fibres.
-    std::vector<FieldRange> fields_of(const Body &body, std::vector<std::string> &notes)
+    std::vector<ShownField> fields_of(const Body &body, std::vector<std::string> &notes)
     {
-      std::vector<FieldRange> fields;
+      std::vector<ShownField> fields;
       const std::string       first = picture::first_field(body);
-      const auto              add   = [&](const std::string &name) {
-        FieldRange field;
-        field.name = name;
-        fields.push_back(field);
-      };
+      const auto              add   = [&](const std::string &name) { fields.emplace_back(name); };
       if (!first.empty())
         add(first);
       std::string left_out;
@@ -159,7 +135,7 @@ namespace myolines::report
 
     std::string map_name(const FieldRange &field)
     {
-      return field.name == "tissue" ? "tissues" : field.low < 0 && field.high > 0 ? "diverging" : "viridis";
+      return field.name() == "tissue" ? "tissues" : field.low() < 0 && field.high() > 0 ? "diverging" : "viridis";
     }
 
     class Collector
@@ -175,6 +151,8 @@ namespace myolines::report
         if (has_fibres(first_))
           for (const auto &line : fibre_lines(first_, n_lines))
             lines_.push_back(sparse(line));
+        if (first_.is_surface())
+          data_.notes.push_back("The run wrote fields of the surface alone: least and greatest values are those of the surface.");
         choose(most_bytes);
       }
 
@@ -217,9 +195,11 @@ namespace myolines::report
         for (std::size_t i = 0; i < run_.size(); ++i)
           {
             const Body body = run_.read(i);
-            for (FieldRange &field : fields_)
-              if (const auto values = picture::values_of(body, field.name))
+            for (ShownField &field : fields_)
+              if (const auto values = picture::values_of(body, field.name()))
                 field.take(body, *values);
+            if (const auto stretch = picture::values_of(body, "stretch"))
+              of_muscle_.take(body, *stretch, body.find("tissue") != nullptr ? "muscle" : "");
             for (const auto *places : {&body.rest, &body.now})
               for (const Vec &x : *places)
                 for (unsigned int c = 0; c < 3; ++c)
@@ -228,22 +208,17 @@ namespace myolines::report
                     high_[c] = std::max(high_[c], x[c]);
                   }
           }
-        for (const FieldRange &field : fields_)
-          if (field.low <= field.high && field.name != "tissue")
-            for (const bool least : {true, false})
-              {
-                const Vec &x = least ? field.at_low : field.at_high;
-                data_.extremes.push_back({field.name + (least ? ", least" : ", greatest"), number_text(least ? field.low : field.high),
-                                          field_unit(field.name), number_text(least ? field.t_low : field.t_high),
-                                          number_text(1e3 * x[0]) + ", " + number_text(1e3 * x[1]) + ", " + number_text(1e3 * x[2])});
-              }
+        for (const ShownField &field : fields_)
+          if (field.has_values() && field.name() != "tissue")
+            field.add_rows(data_.extremes);
+        data_.fibres = of_muscle_.fibres_in_words();
       }
 
       void picture_of_ends()
       {
         std::vector<picture::Panel> panels;
         picture::Style              style;
-        style.field = fields_.empty() ? "" : fields_.front().name;
+        style.field = fields_.empty() ? "" : fields_.front().name();
         for (const std::size_t i : chosen_times(run_, std::min<std::size_t>(2, run_.size())))
           {
             const auto body = std::make_shared<const Body>(run_.read(i));
@@ -286,16 +261,17 @@ namespace myolines::report
                     of_lines.add(point.now[c], low_[c], high_[c]);
               }
             lines_now.push_back(of_lines.text());
-            for (FieldRange &field : fields_)
+            for (ShownField &field : fields_)
               add_values(field, body);
           }
-        for (FieldRange &field : fields_)
-          if (field.low <= field.high)
-            fields.push_back({{"name", field.name},
-                              {"unit", field_unit(field.name)},
-                              {"low", field.low},
-                              {"high", field.high},
+        for (ShownField &field : fields_)
+          if (field.has_values())
+            fields.push_back({{"name", field.name()},
+                              {"unit", field_unit(field.name())},
+                              {"low", field.low()},
+                              {"high", field.high()},
                               {"map", map_name(field)},
+                              {"marks", field.marks()},
                               {"points", field.points},
                               {"lines", field.lines}});
         Json tissues = Json::array(); // name and colour
@@ -324,17 +300,17 @@ namespace myolines::report
         data_.json["axes"]       = {{"right", {view.right[0], view.right[1], view.right[2]}}, {"up", {view.up[0], view.up[1], view.up[2]}}};
       }
 
-      void add_values(FieldRange &field, const Body &body) const
+      void add_values(ShownField &field, const Body &body) const
       {
-        const auto values = picture::values_of(body, field.name);
+        const auto values = picture::values_of(body, field.name());
         Bytes      points, lines;
         if (values)
           {
             for (const std::size_t p : shell_.points)
-              points.add((*values)[p], field.low, field.high);
+              points.add((*values)[p], field.low(), field.high());
             for (const auto &line : follow(lines_, body, *values))
               for (const auto &point : line)
-                lines.add(point.value, field.low, field.high);
+                lines.add(point.value, field.low(), field.high());
           }
         field.points.push_back(points.text());
         field.lines.push_back(lines.text());
@@ -345,7 +321,8 @@ namespace myolines::report
       Body                          first_;
       picture::Surface              surface_;
       Shell                         shell_;
-      std::vector<FieldRange>       fields_;
+      std::vector<ShownField>       fields_;
+      FieldRange                    of_muscle_{"stretch"};
       std::vector<std::vector<Vec>> lines_;
       std::vector<std::size_t>      times_; ///< that the script shows
       Vec                           low_, high_;

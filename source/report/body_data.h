@@ -15,7 +15,8 @@ namespace myolines::report
     std::string              png;     ///< at the first and the last time
     std::string              caption; ///< of it
     Json                     json; ///< what body.js turns: surface, fibres and fields at some times, as bytes in base64; null if too large
-    std::vector<Cells>       extremes; ///< least and greatest value of each field: field, value, time, place at rest
+    std::vector<Cells>       extremes; ///< least and greatest value of each field: field, value, unit, tissue, time, place at rest
+    std::string              fibres;   ///< where those of the muscle shorten and lengthen most; "" if the run did not write the stretch
     std::vector<std::string> notes;    ///< what was left out, and why
   };
 

@@ -5,7 +5,9 @@
 
 #include <myolines/base/files.h>
 #include <myolines/base/names.h>
+#include <myolines/scene/numbers.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace myolines::report
@@ -34,6 +36,14 @@ namespace myolines::report
       for (const char c : text)
         safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
       return safe;
+    }
+
+    /// Whether all cells of the column are numbers, or empty.
+    bool has_numbers(const std::vector<Cells> &rows, const std::size_t column)
+    {
+      return std::all_of(rows.begin(), rows.end(), [column](const Cells &row) {
+        return column >= row.size() || row[column].empty() || scene::parse_number(row[column]);
+      });
     }
 
     std::string attribute(const std::string &kind) { return kind.empty() ? "" : " class=\"" + escaped(kind) + "\""; }
@@ -66,15 +76,18 @@ namespace myolines::report
 
   void Page::table(const Cells &head, const std::vector<Cells> &rows, const bool numbers)
   {
-    text_ += std::string("<div class=\"table\"><table") + (numbers ? " class=\"numbers\"" : "") + "><thead><tr>";
-    for (const std::string &cell : head)
-      text_ += "<th scope=\"col\">" + escaped(cell) + "</th>";
+    std::vector<std::string> kinds; // of the columns
+    for (std::size_t c = 0; c < head.size(); ++c)
+      kinds.push_back(numbers && c > 0 && has_numbers(rows, c) ? " class=\"number\"" : "");
+    text_ += "<div class=\"table\"><table><thead><tr>";
+    for (std::size_t c = 0; c < head.size(); ++c)
+      text_ += "<th scope=\"col\"" + kinds[c] + ">" + escaped(head[c]) + "</th>";
     text_ += "</tr></thead><tbody>\n";
     for (const Cells &row : rows)
       {
         text_ += "<tr>";
-        for (const std::string &cell : row)
-          text_ += "<td>" + escaped(cell) + "</td>";
+        for (std::size_t c = 0; c < row.size(); ++c)
+          text_ += "<td" + (c < kinds.size() ? kinds[c] : "") + ">" + escaped(row[c]) + "</td>";
         text_ += "</tr>\n";
       }
     text_ += "</tbody></table></div>\n";

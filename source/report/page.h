@@ -25,7 +25,7 @@ namespace myolines::report
     void heading(const std::string &title);
     void paragraph(const std::string &text, const std::string &kind = "");
     void list(const std::vector<std::string> &items, const std::string &kind = "");
-    /// With a button that copies it. @p numbers: columns from the second on stand to the right.
+    /// With a button that copies it. @p numbers: columns of numbers, from the second on, stand to the right.
     void table(const Cells &head, const std::vector<Cells> &rows, bool numbers = false);
     /// Text as it stands in a file.
     void text(const std::string &text);

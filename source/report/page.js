@@ -5,6 +5,12 @@ const report = { data: JSON.parse(document.getElementById('data').textContent), 
 
 report.colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+report.marks = ['#2b6cff', '#ff3b30'];
+report.digits = function (value) {
+  const size = Math.abs(value), short = Number(value.toPrecision(4));
+  return size > 0 && (size < 1e-3 || size >= 1e6) ? short.toExponential() : short.toString();
+};
+
 report.copy = function (text, button) {
   const done = () => { const before = button.textContent; button.textContent = 'Copied'; setTimeout(() => { button.textContent = before; }, 1500); };
   const area = document.createElement('textarea'); // pages from files may not use the clipboard directly
@@ -39,8 +45,23 @@ report.button = function (text, action) {
       options.ticks.callback = value => { const found = words.find(word => word[0] === value); return found ? found[1] : ''; };
       options.ticks.autoSkip = false;
       if (!logarithmic) { options.offset = true; }
+    } else {
+      options.ticks.callback = function (value, index, ticks) { // 3.13e-6 instead of 0.000003130
+        const leading = value / 10 ** Math.floor(Math.log10(Math.abs(value)));
+        if (logarithmic && ticks.length > 8 && ![1, 2, 5].includes(Math.round(leading * 1e6) / 1e6)) return '';
+        return report.digits(value);
+      };
     }
     return options;
+  }
+
+  // What a point tells: where it is, and its curve with its value, both with five digits or in the words of the axis.
+  function told(chart) {
+    const text = (value, words) => (words.find(word => word[0] === value) || [0, Number(value.toPrecision(5)).toString()])[1];
+    return {
+      title: items => items.length > 0 ? (chart.x || 'x') + ' = ' + text(items[0].parsed.x, chart.xWords) : '',
+      label: item => item.dataset.label + ': ' + text(item.parsed.y, chart.yWords)
+    };
   }
 
   function settings(chart) {
@@ -58,7 +79,7 @@ report.button = function (text, action) {
         animation: false, maintainAspectRatio: false, normalized: true,
         interaction: { mode: 'nearest', intersect: false },
         scales: { x: axis(chart.x, chart.logX, chart.xWords), y: axis(chart.y, chart.logY, chart.yWords) },
-        plugins: { legend: { position: 'bottom', labels: { usePointStyle: true, boxHeight: 6 } } }
+        plugins: { tooltip: { callbacks: told(chart) }, legend: { position: 'bottom', labels: { usePointStyle: true, boxHeight: 6 } } }
       }
     };
   }

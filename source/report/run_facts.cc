@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "run_facts.h"
 
+#include <myolines/base/counted.h>
+#include <myolines/base/names.h>
 #include <myolines/scene/csv.h>
 #include <myolines/scene/numbers.h>
 #include <myolines/scene/scene.h>
@@ -30,22 +32,65 @@ namespace myolines::report
       return extreme;
     }
 
+    /// Lengths of the vectors whose first components are in the column "... x [N]".
+    study::Series sizes_of(const CsvTable &table, const std::string &header_of_x)
+    {
+      study::Series sizes = study::series_of(table, header_of_x);
+      const auto    place = header_of_x.size() - std::string("x [N]").size();
+      for (const char axis : {'y', 'z'})
+        {
+          std::string header = header_of_x;
+          header[place]      = axis;
+          if (!table.column(header))
+            return {};
+          const study::Series component = study::series_of(table, header);
+          for (std::size_t i = 0; i < sizes.x.size(); ++i)
+            sizes.x[i] = std::hypot(sizes.x[i], component.x[i]);
+        }
+      return sizes;
+    }
+
     bool ends_with(const std::string &text, const std::string &end)
     {
       return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
     }
 
-    /// "largest force of moving end along the line": 31.2 N at t = 0.2 s.
-    void add_forces(const std::filesystem::path &folder, RunFacts &facts)
+    /// "force of moving end, along the line of action": 31.2 N at the end, largest 40.1 N at t = 0.2 s.
+    void add_force(const std::string &name, const study::Series &series, RunFacts &facts)
+    {
+      const Extreme extreme = largest(series);
+      if (!extreme.found)
+        return;
+      const std::string last = number_text(series.x.back());
+      facts.glance.push_back({"force of " + name, (last.empty() ? "" : last + " N at the end; ") + "largest " + number_text(extreme.x) +
+                                                      " N, at t = " + number_text(extreme.t) + " s"});
+    }
+
+    /// Along the line of action or, where there is none, the size of each force. Returns the first column with a force, "" for none.
+    std::string add_forces(const std::filesystem::path &folder, RunFacts &facts)
     {
       const auto table = scene::read_csv(folder / "reaction.csv");
       if (!table || table->rows.empty())
-        return;
+        return "";
+      const std::string along = " along the line [N]", x = " x [N]";
+      std::string       first;
       for (const std::string &header : table->header)
-        if (ends_with(header, " along the line [N]") || header == "moving end x [N]")
-          if (const Extreme extreme = largest(study::series_of(*table, header)); extreme.found)
-            facts.glance.push_back({"largest force, " + header.substr(0, header.size() - 4),
-                                    number_text(extreme.x) + " N at t = " + number_text(extreme.t) + " s"});
+        if (ends_with(header, along))
+          {
+            first = first.empty() ? header : first;
+            add_force(header.substr(0, header.size() - along.size()) + ", along the line of action", study::series_of(*table, header),
+                      facts);
+          }
+      if (!first.empty())
+        facts.glance.push_back({"sign of these forces", "positive along the line of action, which points to the end that moves"});
+      else
+        for (const std::string &header : table->header)
+          if (ends_with(header, x))
+            {
+              first = first.empty() ? header : first;
+              add_force(header.substr(0, header.size() - x.size()) + ", its size", sizes_of(*table, header), facts);
+            }
+      return first;
     }
 
     /// First and last value of a column.
@@ -136,7 +181,7 @@ namespace myolines::report
     RunFacts          facts;
     const std::string resolved = (folder / "scene.resolved.xml").string();
     const auto texts = scene::peek_texts(resolved, {"system/type", "integrator/type", "time/control/type", "time/start", "time/end"});
-    for (const auto &[words, text] : {std::pair{"system", texts[0]}, {"integrator", texts[1]}, {"steps chosen", texts[2]}})
+    for (const auto &[words, text] : {std::pair{"system", texts[0]}, {"integrator", texts[1]}, {"steps are chosen by", texts[2]}})
       if (text)
         facts.glance.push_back({words, *text});
     const auto &start = texts[3], &end = texts[4];
@@ -146,7 +191,7 @@ namespace myolines::report
     facts.glance.push_back({"end of the run", reason.empty() ? "not known" : reason});
     if (reason != "done")
       facts.verdicts.push_back("The run did not reach its end: " + (reason.empty() ? "there is no manifest" : reason) + ".");
-    add_forces(folder, facts);
+    const std::string force = add_forces(folder, facts);
     add_change(folder / "activation_muscle_length-3d.csv", "Muscle length [m]", "length of the muscle", " mm", 1e3, facts);
     add_change(folder / "mean_stretch_pennation_data-3d.csv", "Mean stretch", "stretch of the fibres, mean over the middle", "", 1, facts);
     add_change(folder / "mean_stretch_pennation_data-3d.csv", "Mean pennation [deg]", "pennation, mean over the middle", " degrees", 1,
@@ -154,10 +199,13 @@ namespace myolines::report
     add_steps(folder, facts);
     add_energy(manifest.is_object() ? manifest : Json::object(), facts);
     if (!facts.rejected.empty())
-      facts.verdicts.push_back(std::to_string(facts.rejected.size()) +
-                               " steps were rejected and taken again; the table of steps tells why.");
+      facts.verdicts.push_back(counted(facts.rejected.size(), "step") + " had to be taken again; the table of rejected steps tells why.");
+    const std::string file = manifest.is_object() && manifest.contains("scene") && manifest["scene"].is_string()
+                                 ? manifest["scene"].get<std::string>()
+                                 : "SCENE";
     facts.verdicts.push_back(
-        "Errors of steps and mesh cannot be seen in one run. This command estimates them: myolines verify SCENE --quantity FILE:COLUMN");
+        "Errors of steps and mesh cannot be seen in one run. This command estimates them: " +
+        shell_text({"myolines", "verify", file, "--quantity", force.empty() ? "FILE:COLUMN" : "reaction.csv:" + force}));
     return facts;
   }
 } // namespace myolines::report

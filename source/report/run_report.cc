@@ -3,13 +3,16 @@
 #include "charts.h"
 #include "run_facts.h"
 
+#include <myolines/base/counted.h>
 #include <myolines/base/error.h>
 #include <myolines/picture/body.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/scene/scene.h>
 #include <myolines/study/plot.h>
 #include <myolines/study/plot_page.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace myolines::report
 {
@@ -41,6 +44,57 @@ namespace myolines::report
       return rank;
     }
 
+    /// Forces along the line of action come first, in a diagram of their own: their components lie over them.
+    void split_reactions(std::vector<study::Picture> &pictures)
+    {
+      const auto found = std::find_if(pictures.begin(), pictures.end(), [](const auto &picture) { return picture.name == "reaction_N"; });
+      if (found == pictures.end())
+        return;
+      const auto     is_along = [](const study::Curve &curve) { return curve.title.find(" along the line [N]") != std::string::npos; };
+      study::Picture along    = *found;
+      along.curves.erase(std::remove_if(along.curves.begin(), along.curves.end(), std::not_fn(is_along)), along.curves.end());
+      found->curves.erase(std::remove_if(found->curves.begin(), found->curves.end(), is_along), found->curves.end());
+      if (along.curves.empty())
+        return;
+      along.title += ", along the line of action";
+      found->title += ", components";
+      pictures.insert(found, along);
+    }
+
+    /// Lines of a plan, "on   inertia: dynamic" and the like, by what they tell.
+    void add_plan(const std::vector<std::string> &plan, Page &page)
+    {
+      std::vector<Cells>       computed, skipped;
+      std::vector<std::string> others;
+      for (const std::string &text : plan)
+        {
+          const bool on = text.compare(0, 3, "on ") == 0, off = text.compare(0, 4, "off ") == 0;
+          if (!on && !off)
+            {
+              others.push_back(text);
+              continue;
+            }
+          const std::string rest  = scene::trimmed(text.substr(3));
+          const std::size_t colon = rest.find(": ");
+          (on ? computed : skipped).push_back({rest.substr(0, colon), colon == std::string::npos ? "" : rest.substr(colon + 2)});
+        }
+      if (!computed.empty())
+        {
+          page.heading("Computed");
+          page.table({"what", "why"}, computed);
+        }
+      if (!skipped.empty())
+        {
+          page.heading("Skipped");
+          page.table({"what", "why"}, skipped);
+        }
+      if (!others.empty())
+        {
+          page.heading("Body and solvers");
+          page.list(others);
+        }
+    }
+
     void add_body(const std::filesystem::path &folder, Page &page, std::vector<std::string> &notes)
     {
       page.chapter("The body");
@@ -54,7 +108,9 @@ namespace myolines::report
         {
           BodyData body = body_data(folder, bytes_of_body);
           page.body(body.png, body.caption, std::move(body.json));
-          page.table({"field", "value", "unit", "at t [s]", "x, y, z at rest [mm]"}, body.extremes, true);
+          if (!body.fibres.empty())
+            page.paragraph(body.fibres, "verdict");
+          page.table({"field", "value", "unit", "tissue", "at t [s]", "x, y, z at rest [mm]"}, body.extremes, true);
           for (const std::string &note : body.notes)
             page.paragraph(note, "hint");
         }
@@ -78,7 +134,9 @@ namespace myolines::report
           page.paragraph("The run has no time series.", "note");
           return;
         }
+      const bool                         at_start  = study::have_one_instant(pictures);
       const std::vector<study::Constant> constants = study::without_constants(pictures);
+      split_reactions(pictures);
       std::stable_sort(pictures.begin(), pictures.end(), [](const auto &a, const auto &b) { return rank_of(a) < rank_of(b); });
       const auto all = drawn(pictures);
       for (std::size_t i = 0; i < all.size(); ++i)
@@ -94,7 +152,9 @@ namespace myolines::report
       std::vector<Cells> rows;
       for (const study::Constant &constant : constants)
         rows.push_back({constant.title, number_text(constant.value)});
-      page.open_details("What stays constant (" + std::to_string(rows.size()) + " columns)");
+      if (at_start)
+        page.paragraph("The tables have the start alone, as no step was written.", "note");
+      page.open_details((at_start ? "Values at the start (" : "What stays constant (") + counted(rows.size(), "column") + ")");
       page.table({"column", "value"}, rows, true);
       page.close_details();
     }
@@ -165,7 +225,7 @@ namespace myolines::report
     page.chapter("What was computed, what was skipped");
     if (plan.empty())
       page.paragraph("The manifest of this run does not say; myolines check SCENE does.");
-    page.list(plan);
+    add_plan(plan, page);
     add_scene(options, page);
     page.chapter("Where it comes from");
     add_provenance(manifest, page);

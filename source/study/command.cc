@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "batch_script.h"
 
+#include <myolines/base/counted.h>
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/output/file_lock.h>
@@ -82,7 +83,7 @@ namespace myolines::study
           words.push_back(std::to_string(n) + " " + name);
         out << join(words) << "\n";
       };
-      out << rows.size() << " cases: ";
+      out << counted(rows.size(), "case") << ": ";
       line(statuses);
       if (!classes.empty())
         {
@@ -177,7 +178,7 @@ namespace myolines::study
           resolved(options, study, each); // refuses what a run would refuse
           out << each.name << "\n  " << shell_text(words) << "\n";
         }
-      out << cases.size() << " cases\n";
+      out << counted(cases.size(), "case") << "\n";
     }
 
     void write_script(const Options &options, const Study &study, const std::filesystem::path &folder, std::ostream &out)

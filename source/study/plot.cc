@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/counted.h>
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
 #include <myolines/output/manifest.h>
 #include <myolines/output/text_file.h>
+#include <myolines/scene/numbers.h>
 #include <myolines/study/csv_table.h>
 #include <myolines/study/plot.h>
 #include <myolines/study/plot_page.h>
@@ -93,10 +95,23 @@ namespace myolines::study
                                      {"m/s", "velocity"},
                                      {"deg", "angle"},
                                      {"Pa", "stress"},
+                                     {"W", "power"},
                                      {"m^3", "volume"}})
         if (unit == of)
           return std::string(what) + " [" + unit + "]";
       return "[" + (unit.empty() ? "-" : unit) + "]";
+    }
+
+    /// Titles that distinguish the pictures of a table: by the only column, or by what the unit measures.
+    void distinguish(std::vector<Picture> &pictures)
+    {
+      if (pictures.size() < 2)
+        return;
+      for (Picture &picture : pictures)
+        if (picture.curves.size() == 1)
+          picture.title += ": " + picture.curves.front().title;
+        else if (const std::string what = scene::trimmed(picture.y_label.substr(0, picture.y_label.find('['))); !what.empty())
+          picture.title += ": " + what;
     }
 
     /// Columns of one unit share a picture.
@@ -117,6 +132,7 @@ namespace myolines::study
             }
           pictures[found - units.begin()].curves.push_back(curve_of(header, series_of(named.table, header)));
         }
+      distinguish(pictures);
       return pictures;
     }
 
@@ -134,6 +150,16 @@ namespace myolines::study
       if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
         std::transform(folders.begin(), folders.end(), names.begin(), [](const auto &folder) { return folder.string(); });
       return names;
+    }
+
+    /// Why tables of runs have a row of the start and no other: "...: Newton's method has not converged".
+    std::string why_at_start(const std::vector<std::filesystem::path> &folders)
+    {
+      std::vector<std::string> reasons;
+      for (const std::filesystem::path &folder : folders)
+        if (const auto manifest = read_manifest(folder); manifest && manifest->exit_reason != "done")
+          reasons.push_back(manifest->exit_reason);
+      return "the tables have the start alone, as no step was written" + (reasons.empty() ? "" : ": " + join(reasons, "; "));
     }
 
     void require_run(const std::filesystem::path &folder, const std::string &file)
@@ -175,6 +201,15 @@ namespace myolines::study
     return pictures;
   }
 
+  bool have_one_instant(const std::vector<Picture> &pictures)
+  {
+    std::size_t most = 0;
+    for (const Picture &picture : pictures)
+      for (const Curve &curve : picture.curves)
+        most = std::max(most, curve.points.size());
+    return most == 1;
+  }
+
   void plot_command(const PlotOptions &options, std::ostream &out)
   {
     const bool one   = options.folders.size() == 1;
@@ -182,12 +217,15 @@ namespace myolines::study
     if (study && !options.file.empty())
       throw InputError(InputProblem{"--file", "a study has one table", "no such option", "name the folder of a run, in cases/"});
     std::vector<Picture> pictures = study ? pictures_of_study(options.folders.front()) : pictures_of_runs(options.folders, options.file);
+    const bool           at_start = !study && have_one_instant(pictures);
     const std::vector<Constant> constants = study ? std::vector<Constant>() : without_constants(pictures);
     if (std::none_of(pictures.begin(), pictures.end(), has_points))
       throw InputError(InputProblem{options.folders.front().string(), "there is nothing to draw",
                                     study ? "a study with numbers in its table: its column \"notes\" says why there are none"
                                           : "runs that have a table in common, with numbers that change",
-                                    constants.empty() ? "" : "all values stay as they are at the start"});
+                                    at_start            ? why_at_start(options.folders)
+                                    : constants.empty() ? ""
+                                                        : "no column of the tables ever changes"});
     const std::filesystem::path folder = !options.out.empty() ? options.out : one ? options.folders.front() / "pictures" : "pictures";
     const std::size_t           n      = draw(pictures, folder);
     replace_file(folder / "index.html", index_page(join(titles(options.folders), " and "), pictures, constants));
@@ -199,7 +237,7 @@ namespace myolines::study
             names.push_back("pictures/" + picture.name + extension);
         list_in_manifest(options.folders.front(), names);
       }
-    out << n << " pictures, as PNG and SVG, are in " << folder.string()
+    out << counted(n, "picture") << ", as PNG and SVG, in " << folder.string()
         << "; index.html shows them, each NAME.gp is what gnuplot draws one from.\n";
     if (!constants.empty())
       out << "Columns that do not change have no picture: " << constants.size() << ", with their values in index.html.\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "progress.h"
 
+#include <myolines/base/counted.h>
 #include <myolines/base/error.h>
 #include <myolines/base/files.h>
 #include <myolines/base/names.h>
@@ -117,7 +118,7 @@ namespace myolines::study
           }
         report.n_open = open_.size() + running_.size();
         if (!report.why_open.empty())
-          progress.say("stopped: " + report.why_open + "; " + std::to_string(report.n_open) + " cases are open");
+          progress.say("stopped: " + report.why_open + "; " + counted(report.n_open, "case") + " open");
         stop_running();
         progress.close();
         return report;

@@ -121,7 +121,7 @@ namespace myolines::study
     /// Formula, names and headers; a table of one row shows whether the formula can be evaluated.
     void read_formula(const Node &node, Quantity &quantity)
     {
-      CsvTable table{"", {"Time [s]"}, {{"0"}}, {}};
+      CsvTable table{"", {"Time [s]"}, {{"0"}}, {}, {}};
       for (const std::string &part : split(node.text("columns")))
         {
           const auto        equals = part.find('=');

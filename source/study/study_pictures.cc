@@ -175,6 +175,20 @@ namespace myolines::study
       return shared;
     }
 
+    /// Whether numbers want a logarithmic axis: all are positive, and they span two decades or more.
+    bool spans_decades(const Picture &picture, double std::pair<double, double>::*coordinate)
+    {
+      double low = std::numeric_limits<double>::infinity(), high = 0;
+      for (const Curve &curve : picture.curves)
+        for (const auto &point : curve.points)
+          if (std::isfinite(point.first) && std::isfinite(point.second))
+            {
+              low  = std::min(low, point.*coordinate);
+              high = std::max(high, point.*coordinate);
+            }
+      return low > 0 && high >= 100 * low;
+    }
+
     std::vector<Picture> sweep_pictures(const Study &study, const PointTable &table)
     {
       const std::string    axis = study.view.abscissa.empty() ? first_with_numbers(study) : study.view.abscissa;
@@ -189,6 +203,11 @@ namespace myolines::study
           pictures.push_back(diagram(study, table, quantity.name + " over " + axis, table.axis_header(axis), header_of(quantity), {axis}));
       if (!study.view.together.empty())
         pictures.push_back(shared_diagram(study, table, axis));
+      for (Picture &picture : pictures)
+        {
+          picture.log_x = spans_decades(picture, &std::pair<double, double>::first);
+          picture.log_y = spans_decades(picture, &std::pair<double, double>::second);
+        }
       return pictures;
     }
 
@@ -197,10 +216,11 @@ namespace myolines::study
     {
       std::vector<std::string> along = study.axis_names();
       along.erase(std::remove(along.begin(), along.end(), study.view.curves), along.end());
-      std::vector<std::pair<std::string, std::string>> works{{"CPU seconds", "CPU [s]"}};
+      std::vector<std::pair<std::string, std::string>> works;
       for (const Quantity &quantity : study.quantities)
         if (quantity.source == Quantity::Source::count || quantity.source == Quantity::Source::seconds)
           works.emplace_back(quantity.name, header_of(quantity));
+      works.emplace_back("CPU seconds", "CPU [s]"); // after what does not depend on the machine
       std::vector<Picture> pictures;
       for (const Quantity &quantity : study.quantities)
         if (quantity.is_error())

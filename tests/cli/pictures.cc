@@ -2,6 +2,7 @@
 // Requirement: fields that a run writes are read back as they are, in either format and with cells of any degree; `picture`, `report`,
 // `plot` and `check --brief` tell of a run what it is.
 
+#include "../picture/decoded_png.h"
 #include "program_runner.h"
 #include "small_scenes.h"
 
@@ -209,6 +210,58 @@ TEST(Pictures, AreDrawnOfARun)
   EXPECT_NE(none.err.find("output/fields/what"), std::string::npos) << "how to get some";
 }
 
+TEST(Pictures, FramesOfRunsWithOtherTimesShareScaleAndFrame)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", muscle_scene);
+  const std::string run = "run scene.xml --quiet --set \"output/fields/what=displacement, stretch\" --out ";
+  ASSERT_EQ(run_program(folder, run + "few").exit_code, 0);                                           // 0, 0.02, 0.04 s
+  ASSERT_EQ(run_program(folder, run + "many --set time/step=0.01 --set time/end=0.03").exit_code, 0); // 0, 0.01, 0.02, 0.03 s
+  for (const char *order : {"few many", "many few"})
+    {
+      const Outcome film = run_program(folder, std::string("picture ") + order + " --frames --out films");
+      ASSERT_EQ(film.exit_code, 0) << film.err;
+      EXPECT_NE(film.out.find("6 pictures"), std::string::npos) << "five times and the animation: " << film.out;
+      std::vector<pictures::Pixels> frames;
+      for (int i = 0; i < 5; ++i)
+        frames.push_back(myolines::test::decoded(contents(folder / ("films/stretch-000" + std::to_string(i) + ".png"))));
+      EXPECT_FALSE(std::filesystem::exists(folder / "films/stretch-0005.png"));
+      const auto strip = [](const pictures::Pixels &pixels, const double from, const double to) {
+        std::vector<std::uint8_t> part;
+        for (std::size_t y = 60; y < pixels.height; ++y) // below the titles
+          for (std::size_t x = static_cast<std::size_t>(from * pixels.width); x < to * pixels.width; ++x)
+            part.insert(part.end(), &pixels.rgb[3 * (y * pixels.width + x)], &pixels.rgb[3 * (y * pixels.width + x)] + 3);
+        return part;
+      };
+      for (const pictures::Pixels &frame : frames)
+        {
+          ASSERT_EQ(frame.width, frames[0].width);
+          ASSERT_EQ(frame.height, frames[0].height);
+          EXPECT_EQ(strip(frame, 0.86, 1), strip(frames[0], 0.86, 1)) << "the colour bar";
+        }
+      EXPECT_NE(strip(frames[4], 0, 0.84), strip(frames[0], 0, 0.84)) << "the bodies move";
+      EXPECT_NE(strip(frames[1], 0, 0.84), strip(frames[2], 0, 0.84));
+    }
+}
+
+TEST(Pictures, ARunThatFailedInItsFirstStepSaysSo)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", muscle_scene);
+  EXPECT_EQ(run_program(folder,
+                        "run scene.xml --quiet --out run --set \"solver/nonlinear/maximum iterations=1\" --set \"system/boundary/moving "
+                        "end/strain/points=0 0; 0.02 0.9\"")
+                .exit_code,
+            3);
+  const Outcome plot = run_program(folder, "plot run");
+  EXPECT_EQ(plot.exit_code, 2);
+  EXPECT_NE(plot.err.find("the tables have the start alone, as no step was written: "), std::string::npos) << plot.err;
+  ASSERT_EQ(run_program(folder, "report run").exit_code, 0);
+  const std::string html = contents(folder / "run/report.html");
+  EXPECT_NE(html.find("Values at the start ("), std::string::npos);
+  EXPECT_EQ(html.find("What stays constant"), std::string::npos);
+}
+
 TEST(Pictures, PlotHasAnIndexAndNoConstants)
 {
   const TestFolder folder;
@@ -240,9 +293,12 @@ TEST(Report, OfARunHasWhatDiffersFromDefaults)
   EXPECT_NE(html.find("<h1>one cell</h1>"), std::string::npos);
   EXPECT_NE(html.find("<td>time/step</td><td>0.02 s</td>"), std::string::npos);
   EXPECT_EQ(html.find("<td>solver/linear/restart</td>"), std::string::npos) << "a default";
-  EXPECT_NE(html.find("off  output quadrature: not asked for"), std::string::npos) << "what was skipped";
+  EXPECT_NE(html.find("<tr><td>output quadrature</td><td>not asked for</td></tr>"), std::string::npos) << "what was skipped";
   EXPECT_NE(html.find("drift of the energy balance"), std::string::npos);
   EXPECT_NE(html.find("stretch, least"), std::string::npos);
+  EXPECT_NE(html.find("<td>force of moving end, along the line of action</td>"), std::string::npos);
+  EXPECT_NE(html.find("Fibres of the muscle "), std::string::npos);
+  EXPECT_NE(html.find("myolines verify scene.xml --quantity &#39;reaction.csv:moving end along the line [N]&#39;"), std::string::npos);
   EXPECT_LT(html.size(), 6000000u);
 }
 

@@ -11,7 +11,7 @@ set xrange [0:0.4]
 set multiplot layout 3,1
 set ylabel 'activation [-]'
 set yrange [0:1.1]
-plot run.'/activation_muscle_length-3d.csv' using 1:($2/100) with lines lw 2 lc rgb '#000000' title 'activation'
+plot run.'/activation_muscle_length-3d.csv' using 1:2 with lines lw 2 lc rgb '#000000' title 'activation'
 set ylabel 'force [N]'
 set yrange [-9:10]
 plot run.'/reaction.csv' using 1:5 with lines lw 2 lc rgb '#0072b2' title 'muscle', \

@@ -4,6 +4,7 @@
 
 gallery.py MYOLINES FOLDER        runs in FOLDER; what is there already is not run again
 """
+import datetime
 import os
 import shutil
 import subprocess
@@ -29,8 +30,10 @@ BODIES = (
 
 HEAD = """# Gallery
 
+*Drawn {date}, commit {commit}, by the command below.*
+
 Bodies of scenes of this repository, drawn by `myolines picture` from the fields that their runs write. `tests/curves/gallery.py PROGRAM FOLDER` makes this page:
-it runs the scenes, draws the pictures and writes the text.
+it runs the scenes, draws the pictures and writes the text. The reports of the runs ([seeing a run](../pictures.md#reports)) have {sizes} MB.
 """
 
 
@@ -39,8 +42,20 @@ def call(words):
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
 
 
+def head(program, runs):
+    """With the sizes of their reports, which have to fit into an e-mail."""
+    sizes = []
+    for run in runs:
+        call([program, "report", run])
+        sizes.append(os.path.getsize(os.path.join(run, "report.html")) / 1e6)
+        if sizes[-1] > 6:
+            sys.exit(f"the report of {run} has {sizes[-1]:.1f} MB, more than 6")
+    commit = subprocess.run(["git", "-C", ROOT, "rev-parse", "--short", "HEAD"], check=True, capture_output=True, text=True).stdout.strip()
+    return HEAD.format(date=datetime.date.today(), commit=commit, sizes=", ".join(f"{size:.1f}" for size in sizes))
+
+
 def main(program, folder):
-    text = [HEAD]
+    text = []
     for name, scene, settings, pictures, words in BODIES:
         run = os.path.join(folder, name)
         settings = [f"output/fields/what=displacement, stretch, pressure, tissue, {FIBRES}"] + settings
@@ -58,6 +73,7 @@ def main(program, folder):
         shown = " ".join(f"--set \"{each}\"" for each in settings)
         first = " ".join(pictures[0])
         text.append(f"```sh\nmyolines run {scene} --out {name} \\\n  {shown}\nmyolines picture {name} {first}\n```\n")
+    text.insert(0, head(program, [os.path.join(folder, body[0]) for body in BODIES]))
     with open(os.path.join(ROOT, "doc", "results", "gallery.md"), "w", encoding="utf-8") as page:
         page.write("\n".join(text))
 

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# study_pictures.sh PROGRAM SOURCE RESULTS: runs the studies behind doc/results/kinks.md and doc/results/stability.md in RESULTS, where a study that is done is not
+# study_pictures.sh PROGRAM SOURCE RESULTS: runs the studies behind doc/results/kinks.md and doc/results/stability.md, and those that convergence.md and
+# error_control.md begin with, in RESULTS, where a study that is done is not
 # run again, and puts the pictures of these pages, and the forces of doc/muscle_tendon_units.md, into SOURCE/doc/pictures.
 set -eu
 program=$1 source=$2 results=$3
@@ -31,6 +32,8 @@ study chapter4_block isotropic_ramp__close_up.svg kinks_bar_isotropic passive_ra
   active_sine_strain_rates_sundials__0_to_0.25_s.png figure_4.9_active
 study stability_stress map_0.05.svg stability_0.05 map_0.01.svg stability_0.01 map_0.001.svg stability_0.001
 study stability_short map_1e_4.svg stability_short_1e-4 map_1e_5.svg stability_short_1e-5
+study convergence_time_all error_in_V_over_step.svg orders_in_time
+study error_control_oscillator error_of_u_over_tolerance.svg error_by_tolerance
 study energy_drift_rod
 study energy_drift_block
 

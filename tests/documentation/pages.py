@@ -8,7 +8,8 @@ pages.py ROOT [--program MYOLINES] [--list]
 - Sentences of a page have at most 25 words on average, tables and code aside. --list prints the averages.
 - Links lead to files that exist, and behind a # to a heading there.
 - Paths in backticks that begin with a folder of the repository exist, and so do the headers of doc/interface.md.
-- A page of doc/results says on top when and from which commit it was measured, and the table of doc/results/index.md has it.
+- A page of doc/results says on top when and from which commit it was measured, and the table of doc/results/index.md has it. If it is about an experiment
+  it begins with a picture: one stands before the second of its chapters.
 - Files and names of the code do not have the word peer, which was Flexodeal, and comments none of the FORBIDDEN.
 - Numbers in the table of doc/which_method.md stand on the pages that it names.
 - With a program: commands and options that a page names are known to it.
@@ -153,6 +154,9 @@ def look_at_links(root, page, text):
     return found
 
 
+OF_THE_PROGRAM = ("attacks.md", "performance.md")  # pages of doc/results about no experiment
+
+
 def look_at_results(root, page, text):
     name = os.path.basename(page)
     if os.path.dirname(page) != "doc/results" or name == "index.md":
@@ -160,6 +164,8 @@ def look_at_results(root, page, text):
     found = []
     if not MEASURED.search("\n".join(text.split("\n")[:8])):
         found.append(f"{page}: does not say on top when, from which commit and by which command it was measured")
+    if name not in OF_THE_PROGRAM and "![" not in "\n## ".join(re.split(r"\n## ", text)[:2]):
+        found.append(f"{page}: does not begin with a picture")
     if f"]({name})" not in read(os.path.join(root, "doc/results/index.md")):
         found.append(f"doc/results/index.md: has no row for {name}")
     return found

@@ -27,8 +27,12 @@ FAULTS = [
     ("doc/interface.md", "See `room/header.h`.", "there is no header room/header.h"),
     ("doc/which_method.md", "| a | b | costs 7 steps ([one](results/one.md)) |\n", "does not have the number 7"),
     ("doc/results/one.md", "# One\n\nA number: 1.\n", "does not say on top when"),
+    ("doc/results/one.md", "# One\n\n*Measured 2026-01-01, commit 1234567, by the command below.*\n\n## A\n\n## B\n\n![a curve](../pictures/one.svg)\n",
+     "does not begin with a picture"),
     ("doc/results/two.md", "# Two\n\n*Measured 2026-01-01, commit 1234567, by the command below.*\n", "has no row for two.md"),
 ]
+MEASURED = "# One\n\n*Measured 2026-01-01, commit 1234567, by the command below.*\n"
+PICTURE = "\n![a curve](../pictures/one.svg)\n"
 SOUND = "A page.\n\n```sh\nmyolines run scene.xml --out results   # very\n```\n\nSee [words](doc/manual/glossary.md#words) and `source/main.cc`.\n"
 
 
@@ -52,7 +56,8 @@ def plant(root, path, text):
     write(root, "README.md", SOUND)
     write(root, "CONTRIBUTING.md", "A page.\n")
     write(root, "doc/results/index.md", "# Results\n\n[One](one.md).\n")
-    write(root, "doc/results/one.md", "# One\n\n*Measured 2026-01-01, commit 1234567, by the command below.*\n")
+    write(root, "doc/pictures/one.svg", "")
+    write(root, "doc/results/one.md", MEASURED + PICTURE)
     write(root, "source/main.cc", "")
     write(root, "doc/manual/glossary.md", "# Words\n\n" + "".join(f"- **{word}**: a word.\n" for word in pages.DEFINED))
     write(root, "program", PROGRAM)

@@ -4,8 +4,8 @@
 
 turned.py PROGRAM WORK_FOLDER [--count N] [--tolerance 1e-9] [--set PATH=VALUE ...] [BODY ...]
 
-Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon, written here), own (the same bar of two tissues of the
-scene's own, in tetrahedra and millimetres). Each is run as it lies, then N times
+Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon, written here), split (the same bar of tetrahedra, in
+millimetres, with springs and dashpots at its faces), own (the same of two tissues of the scene's own). Each is run as it lies, then N times
 rotated about a random axis, moved by up to its length and, every second time, mirrored; meshes, directions, formulas, loads and markers with it. Scalars
 must be equal, and vectors, which are columns whose names differ by x, y and z alone, after they are turned back, to the tolerance times the greatest
 value of their column (of the three of a vector). Energies, forces and work densities, which cancel, are compared on the scale of the greatest of the run,
@@ -72,8 +72,9 @@ class Frame:
 class Mesh:
     """Of a Gmsh file (2.2, ASCII): lines of names, points [m], elements as (kind, group, vertices); files are written in the unit [m]."""
 
-    def __init__(self, names, points, elements, unit=1.0):
-        self.names, self.points, self.elements, self.unit = names, points, elements, unit
+    def __init__(self, names, points, elements, units=1):
+        """Points in metres, of which the file has `units` each."""
+        self.names, self.points, self.elements, self.units = names, points, elements, units
 
     @staticmethod
     def read(path):
@@ -96,7 +97,7 @@ class Mesh:
             out.write(f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{len(self.names)}\n" + "".join(name + "\n" for name in self.names))
             out.write(f"$EndPhysicalNames\n$Nodes\n{len(self.points)}\n")
             for number, point in enumerate(self.points, 1):
-                out.write(f"{number} " + " ".join(repr(x / self.unit) for x in frame.move(point)) + "\n")
+                out.write(f"{number} " + " ".join(repr(self.units * x) for x in frame.move(point)) + "\n")
             out.write(f"$EndNodes\n$Elements\n{len(self.elements)}\n")
             for number, (kind, group, nodes) in enumerate(self.elements, 1):
                 if kind == 5 and frame.mirrors():
@@ -137,19 +138,25 @@ def bar_mesh():
     return Mesh(['3 1 "muscle"', '3 2 "tendon"', '2 3 "origin"', '2 4 "insertion"', '2 5 "top"'], points, elements)
 
 
-# Hexahedra in six tetrahedra along the diagonal from corner 0 to 6, and their faces in two triangles along the diagonals that these have.
-TETRAHEDRA = ((0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6))
-TRIANGLES = ((0, 1, 2), (0, 2, 3))
+def split_mesh():
+    """The bar of six tetrahedra for each hexahedron, about the diagonal from its least to its greatest corner; in millimetres."""
+    whole = bar_mesh()
+    elements = []
+    for kind, group, nodes in whole.elements:
+        if kind == 3:
+            elements += [(2, group, [nodes[0], nodes[1], nodes[2]]), (2, group, [nodes[0], nodes[2], nodes[3]])]
+            continue
+        corner = [nodes[0], nodes[1], nodes[3], nodes[2], nodes[4], nodes[5], nodes[7], nodes[6]]  # x fastest
+        for first, second, right in ((1, 3, True), (1, 5, False), (2, 3, False), (2, 6, True), (4, 5, True), (4, 6, False)):
+            tetrahedron = [corner[0], corner[first], corner[second], corner[7]]
+            elements.append((4, group, tetrahedron if right else [tetrahedron[1], tetrahedron[0]] + tetrahedron[2:]))
+    return Mesh(whole.names, whole.points, elements, units=1000)
 
 
 def own_mesh():
-    """The bar in tetrahedra and millimetres, its tissues named by the scene."""
-    bar = bar_mesh()
-    elements = []
-    for kind, group, nodes in bar.elements:
-        pieces, simplex = (TRIANGLES, 2) if kind == 3 else (TETRAHEDRA, 4)
-        elements += [(simplex, group, [nodes[i] for i in piece]) for piece in pieces]
-    return Mesh(['3 1 "wall"', '3 2 "sheath"'] + bar.names[2:], bar.points, elements, unit=1e-3)
+    """The bar of tetrahedra, its tissues named by the scene."""
+    bar = split_mesh()
+    return Mesh(['3 1 "wall"', '3 2 "sheath"'] + bar.names[2:], bar.points, bar.elements, bar.units)
 
 
 def parameter(name, kind, value):
@@ -176,14 +183,14 @@ def ramp(amplitude, duration):
     return parameter("type", "string", "smooth step") + parameter("amplitude", "double", amplitude) + parameter("duration", "double", duration)
 
 
-def scene(frame, fibres, tissue, boundary, extra, markers, shape=True, unit="1", fascicles=12):
+def scene(frame, fibres, tissue, boundary, extra, markers, shape=True, scale="m", fascicles=12):
     activation = section("activation", ramp(0.3, 0.04))
-    flags = "".join(parameter(name, "bool", "true") for name in ("all faces", "gearing")) + parameter("shape", "bool", str(shape).lower())
+    flags = "".join(parameter(name, "bool", "true") for name in ("all faces", "gearing", "conditions")) + parameter("shape", "bool", str(shape).lower())
     moved = "; ".join(f"m{i} " + numbers_text(frame.move(x)) for i, x in enumerate(markers))
     return section(
         "scene", parameter("title", "string", "turned"),
         section("system", parameter("type", "string", "muscle 3d"),
-                section("geometry", parameter("type", "string", "gmsh"), parameter("file", "string", "body.msh"), parameter("scale", "string", unit)),
+                section("geometry", parameter("type", "string", "gmsh"), parameter("file", "string", "body.msh"), parameter("scale", "string", scale)),
                 section("discretisation", parameter("degree", "int", 1), parameter("quadrature points", "int", 3)), tissue, fibres,
                 section("boundary", *boundary), activation, extra),
         section("integrator", parameter("type", "string", "backward euler")),
@@ -246,11 +253,26 @@ def own(frame):
     sheath = section("sheath", parameter("direction", "string", numbers_text(frame.turn([1, 0, 0.2]))),
                      laws(ground="yeoh", threads="tendinous fibre", oil="fibre viscosity"))
     fibres, boundary, markers = along(frame)
-    return scene(frame, fibres, section("tissues", section("own", wall, sheath)), boundary, "", markers, shape=False, unit="mm", fascicles=0)
+    return scene(frame, fibres, section("tissues", section("own", wall, sheath)), boundary, "", markers, shape=False, scale="mm", fascicles=0)
+
+
+def split(frame):
+    fibres = section("fibres", parameter("type", "string", "direction"),
+                     *(parameter(axis, "double", repr(x)) for axis, x in zip("xyz", frame.turn([math.cos(0.4), 0.1, math.sin(0.4)]))))
+    tendon = section("tendon", parameter("face", "string", "insertion"), parameter("type", "string", "tendon spring"),
+                     section("spring", parameter("type", "string", "tendinous"), parameter("force", "double", 20),
+                             parameter("slack length", "double", 0.05)),
+                     section("motion", parameter("type", "string", "smooth step"), parameter("amplitude", "double", 5e-4),
+                             parameter("duration", "double", 0.03)))
+    bed = section("bed", parameter("face", "string", "top"), parameter("type", "string", "viscous support"),
+                  *(parameter(name, "double", value) for name, value in (("normal stiffness", 2e5), ("tangential stiffness", 5e4),
+                                                                         ("normal damping", 3e3), ("tangential damping", 1e3))))
+    return scene(frame, fibres, tissue_along(frame, "tendon", [1, 0, 0]), [fixed("origin", "origin"), tendon, bed], "", [[0.02, 0.004, 0.006]],
+                 scale="mm", fascicles=1000)  # through all cells: which tetrahedron's part comes first depends on its orientation
 
 
 def mesh_of(body):
-    return bar_mesh() if body == "bar" else own_mesh() if body == "own" else Mesh.read(BODIES / f"{body}.msh")
+    return {"bar": bar_mesh, "split": split_mesh, "own": own_mesh}.get(body, lambda: Mesh.read(BODIES / f"{body}.msh"))()
 
 
 def run(program, folder, mesh, text, frame, settings):
@@ -334,7 +356,7 @@ def tables(folder):
 
 
 def check(program, body, work, count, tolerance, settings):
-    mesh, make = mesh_of(body), {"bipennate": bipennate, "fusiform": fusiform, "bar": bar, "own": own}[body]
+    mesh, make = mesh_of(body), {"bipennate": bipennate, "fusiform": fusiform, "bar": bar, "split": split, "own": own}[body]
     still = Frame([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
     run(program, work / "still", mesh, make(still), still, settings)
     names = tables(work / "still")
@@ -377,7 +399,7 @@ def main():
     settings = ([] if options.default_solvers else EXACT) + options.set
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     good = [check(program, body, options.work / body, options.count, options.tolerance, settings)
-            for body in options.bodies or ("bar", "own", "bipennate", "fusiform")]
+            for body in options.bodies or ("bar", "split", "own", "bipennate", "fusiform")]
     return 0 if all(good) else 1
 
 

@@ -87,7 +87,7 @@ TEST(MuscleOutputs, HeadersAreThoseOfFlexodeal)
        "velocity norm [m/s],Mean fibre strain rate (non-dim),Initial fibre length [m],Maximum strain rate [1/s],Mean "
        "fibre velocity [m/s],Volume "
        "slab [m^3]"},
-      {"activation_muscle_length-3d.csv", "Time [s],Activation (%),Muscle length [m]"},
+      {"activation_muscle_length-3d.csv", "Time [s],Activation,Muscle length [m]"},
       {"displacements-3d.csv", "Time [s],p1_x [m],p1_y [m],p1_z [m]"},
       {"reaction.csv", "Time [s],moving end x [N],moving end y [N],moving end z [N],fixed end x [N],fixed end y [N],fixed end z [N],"
                        "moving end along the line [N],fixed end along the line [N]"}};

@@ -113,6 +113,33 @@ TEST(RunFolder, HasOneRunAtATime)
   EXPECT_EQ(complaint([&] { RunFolder second(folder.path); }), "");
 }
 
+TEST(RunFolder, AFolderThatCannotBeWrittenTellsWhatMendsIt)
+{
+  test::Folder folder;
+  const auto   results = folder.path / "results";
+  std::filesystem::create_directories(results);
+  std::filesystem::permissions(folder.path, std::filesystem::perms(0755));
+  std::filesystem::permissions(results, std::filesystem::perms(0555));
+  int told[2];
+  ASSERT_EQ(pipe(told), 0);
+  const pid_t child = fork();
+  if (child == 0)
+    {
+      (void) !setuid(getuid() == 0 ? 65534 : getuid()); // the administrator may write everywhere
+      const std::string text = complaint([&] { const FileLock lock(results / "run.lock", FileLock::Kind::exclusive, "another run"); });
+      (void) !write(told[1], text.data(), text.size());
+      _exit(0);
+    }
+  close(told[1]);
+  std::string text(2000, ' ');
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(told[0], text.data(), text.size()))));
+  close(told[0]);
+  waitpid(child, nullptr, 0);
+  EXPECT_NE(text.find("chmod u+w \"" + results.string() + "\""), std::string::npos) << text;
+  EXPECT_EQ(text.find("wait"), std::string::npos) << text;
+  std::filesystem::permissions(results, std::filesystem::perms(0755));
+}
+
 TEST(RunFolder, TheLockOfAKilledRunDoesNotStay)
 {
   test::Folder folder;

@@ -89,6 +89,12 @@ class Runs(FolderTest):
         np.testing.assert_allclose(body.now - body.rest, body.fields["displacement"])
         self.assertEqual(body.cells.shape[1], 8)
         self.assertTrue((body.cells < len(body.rest)).all())
+        self.assertEqual(body.faces.shape, (0, 4))
+        scene["output/fields"] = {"what": "displacement", "every": 5, "surface only": True}
+        surface = myolines.run(scene, self.place("surface")).fields(at=0.1)
+        self.assertEqual((surface.cells.shape, surface.faces.shape[1]), ((0, 8), 4))
+        first, second, third, fourth = (surface.rest[surface.faces[:, corner]] for corner in range(4))
+        np.testing.assert_allclose(np.cross(third - first, fourth - second).sum(axis=0), 0, atol=1e-12)
         self.assertEqual(run.picture(width=300)._repr_png_()[:4], b"\x89PNG")
         self.assertIn("<iframe", run.report()._repr_html_())
 

@@ -21,6 +21,8 @@ PACKAGES = {"libjs-three": "/usr/share/javascript/three/three.min.js", "libjs-ch
 MUSCLE = ["system/geometry/refinement=1", "time/end=0.05", "time/step=0.025",
           "output/fields/what=displacement, stretch, pressure, tissue, fibre direction"]
 
+EVIL = "</title></script><script>window.injected = 1</script><img src=x onerror='window.injected = 2'>"
+
 problems = []
 
 
@@ -56,7 +58,9 @@ def try_charts(browser, name):
     browser.wait(0.2)
     browser.mouse("mouseMoved", *box)
     browser.wait(0.3)
-    require(browser.ask("report.charts[0].tooltip.opacity > 0 || report.charts[0].tooltip.dataPoints !== undefined"), f"{name}: a point tells its value")
+    told = browser.ask("(report.charts[0].tooltip.opacity > 0 && report.charts[0].tooltip.body || []).flatMap(part => part.lines).join('; ')")
+    curve = browser.ask("report.data.charts[0].curves[0].title")
+    require(told.startswith(curve + ": ") and told[len(curve) + 2:len(curve) + 4].strip("-")[0].isdigit(), f"{name}: a point tells its curve and value ({told})")
 
 
 def try_body(browser, name):
@@ -116,12 +120,14 @@ def try_page(browser, name):
     require("\t" in copied and "\n" in copied, f"{name}: tables can be copied")
 
 
-def try_report(program, path, body, screenshot=None):
+def try_report(program, path, body, screenshot=None, title=None):
     name = os.path.basename(os.path.dirname(path)) or path
     require(os.path.getsize(path) < LIMIT, f"{name}: {os.path.getsize(path) / 1e6:.1f} MB, below {LIMIT / 1e6:.0f}")
     browser = Browser(program)
     try:
         browser.open(path)
+        if title:
+            require(browser.ask("document.title") == title and browser.ask("window.injected === undefined"), f"{name}: markup in the title is text")
         if screenshot:
             browser.ask("(document.getElementById('body') || document.body).scrollIntoView()")
             browser.wait(0.5)
@@ -165,9 +171,13 @@ def main(arguments):
         settings = [word for setting in MUSCLE for word in ("--set", setting)]
         run(myolines, "run", os.path.join(scenes, "isometric_block.xml"), "--quiet", "--out", "run", *settings, cwd=folder)
         run(myolines, "report", "run", cwd=folder)
+        run(myolines, "run", os.path.join(scenes, "isometric_block.xml"), "--quiet", "--out", "surface", *settings, "--set",
+            "output/fields/surface only=true", "--set", "title=" + EVIL, cwd=folder)
+        run(myolines, "report", "surface", cwd=folder)
         run(myolines, "study", os.path.join(scenes, "studies/work_precision_oscillator.xml"), "--quiet", "--out", "study", cwd=folder)
         run(myolines, "report", "study", cwd=folder)
         try_report(program, os.path.join(folder, "run/report.html"), body=True)
+        try_report(program, os.path.join(folder, "surface/report.html"), body=True, title=EVIL)
         try_report(program, os.path.join(folder, "study/report.html"), body=False)
     print(f"{len(problems)} problems")
     return 1 if problems else 0

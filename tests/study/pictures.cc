@@ -117,6 +117,14 @@ TEST(Pictures, SweepsHaveACurveForEachMethod)
   ASSERT_EQ(pictures[0].curves.size(), 2u);
   EXPECT_EQ(pictures[0].curves[0].title, "be");
   EXPECT_EQ(pictures[0].curves[0].points, (std::vector<std::pair<double, double>>{{0.05, 2}, {0.1, 4}}));
+  EXPECT_FALSE(pictures[0].log_x || pictures[0].log_y);
+  folder.write("study.csv", "case,role,method,step,status,reason,error in u "
+                            "[m],notes\na,case,be,0.1,done,,4,\nb,case,be,0.05,done,,0.02,\nc,case,nm,0.1,done,,1,\n");
+  EXPECT_TRUE(pictures_of_study(folder.path())[0].log_y) << "two decades";
+  EXPECT_FALSE(pictures_of_study(folder.path())[0].log_x);
+  folder.write("study.csv", "case,role,method,step,status,reason,error in u "
+                            "[m],notes\na,case,be,0.1,done,,4,\nb,case,be,0.05,done,,0,\nc,case,nm,0.1,done,,1,\n");
+  EXPECT_FALSE(pictures_of_study(folder.path())[0].log_y) << "zero has no logarithm";
 }
 
 /// Quantities that share a picture: a curve for each of them and each method, the others on their own.

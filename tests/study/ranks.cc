@@ -103,7 +103,7 @@ TEST(StudyRanks, GroupsOfRanksShareACase)
   ASSERT_EQ(exit_code(folder, study(folder, "mpi", {"--set", "ranks=2", "--emit", "mpi", "--tasks", "2"})), 0);
   ASSERT_EQ(exit_code(folder, {"bash", (folder / "mpi/study.mpi.sh").string()}), 0) << contents(folder / "console");
   const std::string log = contents(folder / "mpi/study.log");
-  EXPECT_NE(log.find("1 cases, 0 of them known"), std::string::npos) << log;
+  EXPECT_NE(log.find("1 case, 0 of them known"), std::string::npos) << log;
   EXPECT_NE(log.find("2 cases, 2 of them known"), std::string::npos) << log;
 
   ASSERT_EQ(exit_code(folder, study(folder, "slurm", {"--set", "ranks=2", "--emit", "slurm", "--tasks", "2"})), 0);

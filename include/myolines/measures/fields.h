@@ -15,24 +15,40 @@ namespace myolines
   /// Those, and for each law of the tissues of a body its "stress of TISSUE LAW".
   std::vector<std::string> field_names(const Muscle3dParameters &parameters);
 
-  /// Writes @p fields (names of field_names(parameters)) of @p state to folder/name.vtu (folder/name.pvtu and its pieces on several ranks),
-  /// with high-order cells; returns the file name without the folder. Fields at quadrature points are projected cell-wise (L2, degree of
-  /// the pressure, at least one). Collective, as below.
-  std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
-                               const std::string &folder, unsigned int number);
+  /// Where fields are written.
+  enum class FieldPart
+  {
+    body,   ///< in all cells
+    surface ///< on the faces that one cell alone has
+  };
 
-  /// Points and cells that write_fields_hdf5() writes, on all ranks: every cell in degree^3 parts, with vertices of their own.
+  /// What is written of a state, and where.
+  struct FieldChoice
+  {
+    std::vector<std::string> names;                  ///< of field_names(parameters)
+    FieldPart                part = FieldPart::body; ///< cells or faces
+  };
+
+  /// Writes fields of @p state to folder/fields-NNNN.vtu (folder/fields_NNNN.pvtu and its pieces on several ranks), with high-order cells;
+  /// returns the file name without the folder. Fields at quadrature points are projected cell-wise (L2, degree of the pressure, at least
+  /// one); on the surface they are those of the cell behind it, and faces go round counter-clockwise seen from outside. Units are the
+  /// attributes "units" of the arrays. Collective, as below.
+  std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::string &folder,
+                               unsigned int number);
+
+  /// Points and cells that write_fields_hdf5() writes, on all ranks: every cell in degree^3 parts, or every face of the surface in
+  /// degree^2, with vertices of their own.
   struct FieldSizes
   {
     std::uint64_t points; ///< vertices of the parts, those of neighbours counted each
     std::uint64_t cells;  ///< parts
   };
-  FieldSizes field_sizes(const Muscle3dSystem &system); ///< Collective.
+  FieldSizes field_sizes(const Muscle3dSystem &system, FieldPart part); ///< Collective.
 
-  /// Writes @p fields of @p state to the HDF5 file folder/file, one table for each, and, if @p mesh is given, points ("nodes") and vertices
-  /// of the cells ("cells") to folder/mesh. The tables of a mesh fit as long as the ranks that share it are the same.
-  void write_fields_hdf5(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
-                         const std::string &folder, const std::string &file, const std::optional<std::string> &mesh);
+  /// Writes fields of @p state to the HDF5 file folder/file, one table for each, and, if @p mesh is given, points ("nodes") and vertices
+  /// of the cells or faces ("cells") to folder/mesh. The tables of a mesh fit as long as the ranks that share it are the same.
+  void write_fields_hdf5(const Muscle3dSystem &system, const State &state, const FieldChoice &choice, const std::string &folder,
+                         const std::string &file, const std::optional<std::string> &mesh);
 
   /// True for the fields with three components.
   bool is_vector_field(const std::string &field);

@@ -19,7 +19,7 @@ namespace myolines
     };
 
     /// @p holder is what another process that has it would be: "another run", for the message. A file system that knows no locks gives
-    /// none. @throws InputError if another process has it.
+    /// none. @throws InputError if another process has it, or the folder cannot be written.
     FileLock(const std::filesystem::path &file, Kind kind, const std::string &holder);
     ~FileLock(); ///< Gives the lock back.
     FileLock(const FileLock &)            = delete;

@@ -24,24 +24,27 @@ namespace myolines::picture
     double norm(std::size_t point) const; ///< of a vector; a number itself
   };
 
-  /// A body at one instant, as the files of a run have it: hexahedra with straight edges, into which cells of higher order are cut.
-  /// Cells share no points: a field may have a value on either side.
+  /// A body at one instant, as the files of a run have it: hexahedra with straight edges, into which cells of higher order are cut, or the
+  /// quadrilaterals of its surface where the run wrote that alone. They share no points: a field may have a value on either side.
   struct Body
   {
     using Cell = std::array<std::size_t, 8>; ///< points, the first index fastest: (0,0,0), (1,0,0), (0,1,0), ...
+    using Face = std::array<std::size_t, 4>; ///< points, going round; counter-clockwise seen from outside
 
     double             t = 0;  ///< [s]
     std::vector<Vec>   rest;   ///< places of the points at rest [m]
     std::vector<Vec>   now;    ///< places at t [m]; those at rest where the run wrote no displacements
     std::vector<Cell>  cells;  ///< each with points of its own
+    std::vector<Face>  faces;  ///< of a surface alone, without cells
     std::vector<Field> fields; ///< that the run wrote
 
     std::vector<std::string> tissues; ///< names by number, from 1 on
 
-    const Field *find(const std::string &name) const; ///< nullptr if there is none
+    const Field *find(const std::string &name) const;         ///< nullptr if there is none
+    bool         is_surface() const { return cells.empty(); } ///< whether there is nothing inside
     /// The tissues that the field "tissue" has anywhere, by number; none without the field.
     std::map<int, std::string> tissues_present() const;
-    /// Whether @p other has the same points at rest and the same cells.
+    /// Whether @p other has the same points at rest and the same cells or faces.
     bool is_on_the_mesh_of(const Body &other) const;
   };
 

@@ -33,7 +33,7 @@ namespace myolines::picture
     std::vector<std::vector<std::size_t>> bins_; ///< cells that may be there
   };
 
-  /// Whether a run wrote what lines along the fibres need: "fibre direction".
+  /// Whether a run wrote what lines along the fibres need: "fibre direction", inside the body.
   bool has_fibres(const Body &body);
 
   /// At most @p number lines along the fibres of muscle and tissues of the scene's own, spread evenly, as points of the body at rest:

@@ -9,7 +9,7 @@
 namespace myolines::picture
 {
   /// Points of a face, going round; counter-clockwise seen from outside.
-  using Quad = std::array<std::size_t, 4>;
+  using Quad = Body::Face;
 
   /// The surface of a body, and its edges.
   struct Surface
@@ -27,7 +27,8 @@ namespace myolines::picture
     std::vector<Edge> edges; ///< of them, each once
   };
 
-  /// Faces that one cell alone has. Points whose places at rest are equal up to rounding are one.
+  /// Faces that one cell alone has, or those of a surface that a run wrote alone. Points whose places at rest are equal up to rounding are
+  /// one.
   Surface surface_of(const Body &body);
 
   /// Normal of a face, outwards. Not normalised.

@@ -25,6 +25,9 @@ namespace myolines::study
   /// One picture for each file and unit of a single run, one for each file and column of several.
   std::vector<Picture> pictures_of_runs(const std::vector<std::filesystem::path> &folders, const std::string &file);
 
+  /// Whether no curve has more than the point of one instant: runs that wrote no step.
+  bool have_one_instant(const std::vector<Picture> &pictures);
+
   /// By the kind of the study in @p folder, from its study.csv and seconds.csv.
   std::vector<Picture> pictures_of_study(const std::filesystem::path &folder);
 } // namespace myolines::study
