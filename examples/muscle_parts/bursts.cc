@@ -45,20 +45,21 @@ namespace myolines
       std::vector<double> kinks(const double t0, const double t1) const override
       {
         std::vector<double> times;
-        if (amplitude_ == 0)
-          return times;
-        for (double n = std::max(0., std::floor((t0 - start_) / period_) - 1); begin(n) < t1; ++n)
+        const auto          add = [&](const double t) {
+          if (amplitude_ != 0 && t0 < t && t < t1)
+            times.push_back(t);
+        };
+        if (duration_ == period_)
           {
-            if (n == 0 || duration_ < period_)
-              times.push_back(begin(n));
-            if (duration_ < period_)
-              times.push_back(end(n));
+            add(start_);
+            return times;
           }
-        std::vector<double> inside;
-        for (const double t : times)
-          if (t0 < t && t < t1)
-            inside.push_back(t);
-        return inside;
+        for (double n = std::max(0., std::floor((t0 - start_) / period_)); begin(n) < t1; ++n)
+          {
+            add(begin(n));
+            add(end(n));
+          }
+        return times;
       }
 
       bool identically_zero() const override { return amplitude_ == 0; }

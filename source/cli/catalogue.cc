@@ -250,7 +250,7 @@ namespace myolines
     return system_entry(system.text("type"), system.where("type")).make(system, ledger, instruction_set);
   }
 
-  scene::Schema root_schema(const SystemEntry &output_of)
+  scene::Schema root_schema(const SystemEntry &system)
   {
     std::vector<std::pair<std::string, Schema>> systems;
     for (const SystemEntry &entry : system_catalogue())
@@ -261,7 +261,7 @@ namespace myolines
         .section("linear", LinearSolver::linear_schema())
         .section("preconditioner", LinearSolver::preconditioner_schema());
 
-    Schema output = output_of.output();
+    Schema output = system.output();
     output.section("checkpoint", checkpoint_schema());
 
     Schema root("One run: a system, an integrator, the steps, the solvers and what to write.");

@@ -32,7 +32,7 @@ namespace myolines
   {
     try
       {
-        Experiment(scene::compose_scene(root_schema(system), example_of(system, variant, integrator)));
+        const Experiment made(scene::compose_scene(root_schema(system), example_of(system, variant, integrator)));
         return std::nullopt;
       }
     catch (const InputError &error)

@@ -145,7 +145,7 @@ status=0
 [ $status -eq 2 ] && grep -q 'system/force/period' refused.txt || fail "bursts that overlap are not refused: $(cat refused.txt)"
 # It repeats for ever, and the whole of an activation is looked at before a run.
 "$myolines" check block.xml --set plug-ins=muscle-parts --set system/activation/type=bursts --set system/activation/amplitude=0.5 \
-  --set system/activation/duration=0.01 >/dev/null
+  --set system/activation/duration=0.01 --set system/activation/period=0.02 >/dev/null
 status=0
 "$myolines" check block.xml --set plug-ins=muscle-parts --set system/activation/type=bursts --set system/activation/amplitude=1.5 \
   --set system/activation/duration=0.1 >refused.txt 2>&1 || status=$?

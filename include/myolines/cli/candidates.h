@@ -14,5 +14,5 @@ namespace myolines
   /// relative tolerances 0.1, 0.025, ...; and the meshes of refinements_of(). The method of the scene has its parameters, others their
   /// defaults. Whether a method takes the system its run will say.
   /// @throws InputError if it is no scene.
-  study::Choices choices_of(const std::filesystem::path &scene, const std::vector<std::string> &overrides);
+  study::Choices choices_of(const std::filesystem::path &file, const std::vector<std::string> &overrides);
 } // namespace myolines

@@ -18,7 +18,7 @@ namespace myolines
   /// - degree: one more, or one less where there is no higher one.
   /// Meshes that need more memory than there is are left out, and finer ones where steps are explicit.
   /// @throws InputError if it is no scene.
-  study::Refinements refinements_of(const std::filesystem::path &scene, const std::vector<std::string> &overrides);
+  study::Refinements refinements_of(const std::filesystem::path &file, const std::vector<std::string> &overrides);
 
   /// The tolerances of the list @p control, whose steps are chosen by error, times @p factor.
   std::vector<std::string> scaled_tolerances(const scene::Node &control, double factor);
