@@ -4,7 +4,8 @@
 
 turned.py PROGRAM WORK_FOLDER [--count N] [--tolerance 1e-9] [--set PATH=VALUE ...] [BODY ...]
 
-Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon, written here). Each is run as it lies, then N times
+Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon and a support, written here), sprung (the same on a tendon spring), image (a curved
+muscle of tetrahedra in millimetres, with fibre vectors at its points and fat in its cells, as VTK file). Each is run as it lies, then N times
 rotated about a random axis, moved by up to its length and, every second time, mirrored; meshes, directions, formulas, loads and markers with it. Scalars
 must be equal, and vectors, which are columns whose names differ by x, y and z alone, after they are turned back, to the tolerance times the greatest
 value of their column (of the three of a vector). Energies, forces and work densities, which cancel, are compared on the scale of the greatest of the run,
@@ -23,6 +24,9 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 BODIES = HERE.parent.parent / "input" / "bodies"
+sys.path.insert(0, str(BODIES))
+sys.dont_write_bytecode = True
+from make_curved import curved  # noqa: E402
 
 # Solvers to rounding: what is left is what the frame does.
 EXACT = ["solver/preconditioner/type=direct", "solver/nonlinear/relative tolerance=1e-12"]
@@ -104,6 +108,24 @@ class Mesh:
             out.write("$EndElements\n")
 
 
+class Image:
+    """What images give: tetrahedra in millimetres, fibre vectors at points, fat in cells."""
+
+    CELLS = (4, 1, 1)
+
+    def __init__(self):
+        self.mesh, self.fibres = curved(self.CELLS)
+
+    def size(self):
+        return 0.08
+
+    def write(self, path, frame):
+        mesh, _ = curved(self.CELLS)
+        mesh.points = [[1000 * x for x in frame.move([x / 1000 for x in point])] for point in mesh.points]
+        fat = [0.02 + 0.1 * (i % 3) for i in range(len(mesh.cells))]
+        mesh.write_vtu(path, [frame.turn(fibre) for fibre in self.fibres], tetrahedra=True, digits=17, cell_fields={"fat_fraction": fat})
+
+
 def bar_mesh():
     """3 x 1 x 1.4 cm, tapered and sheared, four cells along x of which the last is tendon."""
     n = (4, 2, 1)
@@ -122,6 +144,9 @@ def bar_mesh():
         for j in range(n[1]):
             for i, group in ((0, 3), (n[0], 4)):
                 elements.append((3, group, [number(i, j, k), number(i, j + 1, k), number(i, j + 1, k + 1), number(i, j, k + 1)]))
+    for k in range(n[2]):
+        for i in range(n[0]):
+            elements.append((3, 6, [number(i, 0, k), number(i + 1, 0, k), number(i + 1, 0, k + 1), number(i, 0, k + 1)]))
     for j in range(n[1]):
         for i in range(n[0]):
             elements.append((3, 5, [number(i, j, n[2]), number(i + 1, j, n[2]), number(i + 1, j + 1, n[2]), number(i, j + 1, n[2])]))
@@ -131,7 +156,7 @@ def bar_mesh():
                 floor = [number(i, j, k), number(i + 1, j, k), number(i + 1, j + 1, k), number(i, j + 1, k)]
                 roof = [node + (n[0] + 1) * (n[1] + 1) for node in floor]
                 elements.append((5, 2 if i == n[0] - 1 else 1, floor + roof))
-    return Mesh(['3 1 "muscle"', '3 2 "tendon"', '2 3 "origin"', '2 4 "insertion"', '2 5 "top"'], points, elements)
+    return Mesh(['3 1 "muscle"', '3 2 "tendon"', '2 3 "origin"', '2 4 "insertion"', '2 5 "top"', '2 6 "near side"'], points, elements)
 
 
 def parameter(name, kind, value):
@@ -158,19 +183,20 @@ def ramp(amplitude, duration):
     return parameter("type", "string", "smooth step") + parameter("amplitude", "double", amplitude) + parameter("duration", "double", duration)
 
 
-def scene(frame, fibres, tissue, boundary, extra, markers, shape=True):
+def scene(frame, fibres, tissue, boundary, extra, markers, shape=True, scale=1):
     activation = section("activation", ramp(0.3, 0.04))
-    flags = "".join(parameter(name, "bool", "true") for name in ("all faces", "gearing")) + parameter("shape", "bool", str(shape).lower())
+    flags = "".join(parameter(name, "bool", "true") for name in ("all faces", "gearing", "conditions", "momenta")) + parameter("shape", "bool", str(shape).lower())
     moved = "; ".join(f"m{i} " + numbers_text(frame.move(x)) for i, x in enumerate(markers))
     return section(
         "scene", parameter("title", "string", "turned"),
         section("system", parameter("type", "string", "muscle 3d"),
-                section("geometry", parameter("type", "string", "gmsh"), parameter("file", "string", "body.msh")),
+                section("geometry", parameter("type", "string", "mesh"), parameter("file", "string", "body.msh"),
+                        parameter("scale", "string", str(scale))),
                 section("discretisation", parameter("degree", "int", 1), parameter("quadrature points", "int", 3)), tissue, fibres,
                 section("boundary", *boundary), activation, extra),
         section("integrator", parameter("type", "string", "backward euler")),
         section("time", parameter("end", "double", 0.04), parameter("step", "double", 0.01)),
-        section("output", section("series", flags, parameter("fascicles", "int", 12), parameter("strain places", "string", "0.25 0.5"),
+        section("output", section("series", flags, parameter("fascicles", "int", 1000), parameter("strain places", "string", "0.25 0.5"),
                                   parameter("markers", "string", moved))))
 
 
@@ -203,18 +229,41 @@ def fusiform(frame):
                  [[0.04, 0.001, 0.002]], shape=False)  # fibres lean to all sides
 
 
+def leaning(frame):
+    return section("fibres", parameter("type", "string", "direction"),
+                   *(parameter(axis, "double", repr(x)) for axis, x in zip("xyz", frame.turn([math.cos(0.4), 0.1, math.sin(0.4)]))))
+
+
+def cushion():
+    return section("cushion", parameter("face", "string", "near side"), parameter("type", "string", "viscous support"),
+                   *(parameter(f"{way} {what}", "double", value) for way in ("normal", "tangential") for what, value in (("stiffness", 2e5), ("damping", 3e3))))
+
+
 def bar(frame):
-    fibres = section("fibres", parameter("type", "string", "direction"),
-                     *(parameter(axis, "double", repr(x)) for axis, x in zip("xyz", frame.turn([math.cos(0.4), 0.1, math.sin(0.4)]))))
     pull = section("weight", parameter("face", "string", "insertion"), parameter("type", "string", "isotonic"), parameter("force", "double", 0.4),
                    section("profile", ramp(1, 0.03)))
     press = section("press", parameter("face", "string", "top"), parameter("type", "string", "follower pressure"), parameter("pressure", "double", 300),
                     section("profile", ramp(1, 0.03)))
-    return scene(frame, fibres, tissue_along(frame, "tendon", [1, 0, 0]), [fixed("origin", "origin"), pull, press], "", [[0.02, 0.004, 0.006]])
+    return scene(frame, leaning(frame), tissue_along(frame, "tendon", [1, 0, 0]), [fixed("origin", "origin"), pull, press, cushion()], "",
+                 [[0.02, 0.004, 0.006]])
+
+
+def sprung(frame):
+    tendon = section("tendon", parameter("face", "string", "insertion"), parameter("type", "string", "tendon spring"),
+                     section("spring", parameter("type", "string", "tendinous"), parameter("force", "double", 4), parameter("slack length", "double", 0.05)))
+    return scene(frame, leaning(frame), tissue_along(frame, "tendon", [1, 0, 0]), [fixed("origin", "origin"), tendon, cushion()], "",
+                 [[0.02, 0.004, 0.006]])
+
+
+def image(frame):
+    fields = section("fields", parameter("table", "string", "body.msh"), parameter("table scale", "string", "mm"))
+    return scene(frame, "", "", [strain(frame, "insertion"), fixed("origin", "origin")], fields, [[0.005, 0.001, 0.001]], scale="mm")
 
 
 def mesh_of(body):
-    return bar_mesh() if body == "bar" else Mesh.read(BODIES / f"{body}.msh")
+    if body == "image":
+        return Image()
+    return bar_mesh() if body in ("bar", "sprung") else Mesh.read(BODIES / f"{body}.msh")
 
 
 def run(program, folder, mesh, text, frame, settings):
@@ -249,11 +298,18 @@ def vectors(head):
     return found
 
 
+PLACE = re.compile("Centre of mass")
+AXIAL = re.compile(r"Angular momentum|\bmoment\b")  # of which a mirror turns the sense as well
+
+
 def turned_back(head, rows, frame):
     rows = [list(row) for row in rows]
     for places in vectors(head):
+        name = head[places[0]]
+        sense = -1 if frame.mirrors() and AXIAL.search(name) else 1
+        shift = frame.b if PLACE.match(name) else [0, 0, 0]
         for row in rows:
-            for place, x in zip(places, frame.back([row[p] for p in places])):
+            for place, x in zip(places, frame.back([sense * row[p] - b for p, b in zip(places, shift)])):
                 row[place] = x
     return rows
 
@@ -298,7 +354,7 @@ def tables(folder):
 
 
 def check(program, body, work, count, tolerance, settings):
-    mesh, make = mesh_of(body), {"bipennate": bipennate, "fusiform": fusiform, "bar": bar}[body]
+    mesh, make = mesh_of(body), {"bipennate": bipennate, "fusiform": fusiform, "bar": bar, "sprung": sprung, "image": image}[body]
     still = Frame([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
     run(program, work / "still", mesh, make(still), still, settings)
     names = tables(work / "still")
@@ -341,7 +397,7 @@ def main():
     settings = ([] if options.default_solvers else EXACT) + options.set
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     good = [check(program, body, options.work / body, options.count, options.tolerance, settings)
-            for body in options.bodies or ("bar", "bipennate", "fusiform")]
+            for body in options.bodies or ("bar", "sprung", "image", "bipennate", "fusiform")]
     return 0 if all(good) else 1
 
 
