@@ -6,6 +6,7 @@
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <vector>
 
@@ -24,6 +25,14 @@ namespace myolines::scene
     {
       const std::string text = trimmed(line);
       return text.empty() || is_comment(text) || (text.rfind("sep=", 0) == 0 && text.size() <= 5);
+    }
+
+    /// The last line of the header of a file of OpenSim, in any case of letters.
+    bool is_end_of_header(const std::string &line)
+    {
+      std::string text = trimmed(line);
+      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      return text == "endheader";
     }
 
     std::vector<std::string> fields_of(const std::string &line, const char separator)
@@ -159,7 +168,7 @@ namespace myolines::scene
     std::size_t              begin   = 0;
     bool                     opensim = false;
     for (std::size_t i = 0; i < lines.size() && !opensim; ++i)
-      if (trimmed(lines[i]) == "endheader")
+      if (is_end_of_header(lines[i]))
         {
           begin   = i + 1;
           opensim = true;

@@ -16,9 +16,11 @@ namespace myolines
       for (const char *usual : {"time", "t"})
         if (!scene::matching_columns(usual, table.header).empty())
           return table.required_column(usual);
-      throw InputError(InputProblem{table.file.string(), "there is no column \"time\" or \"t\", such as \"Time [s]\"",
-                                    "one of " + join(table.header),
-                                    table.header.size() > 1 ? "\"time column\" names it" : "commas, semicolons or tabs separate columns"});
+      throw InputError(InputProblem{
+          table.file.string(), "there is no column \"time\" or \"t\", such as \"Time [s]\"", "one of " + join(table.header),
+          table.header.size() > 1
+              ? "\"time column\" names it"
+              : "commas, semicolons or tabs separate columns; the header of a file of OpenSim ends with a line \"endheader\""});
     }
 
     std::size_t value_column(const scene::CsvTable &table, const std::string &name, const std::size_t time)

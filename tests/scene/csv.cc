@@ -82,7 +82,7 @@ namespace
     for (const char *separator : {"\t", "   "})
       {
         const std::string between = separator;
-        const CsvTable storage = read("Controls, of a model\nversion=1\nnRows=2\nendheader\ntime" + between + "soleus_r\n  0.00" + between +
+        const CsvTable storage = read("Controls, of a model\nversion=1\nnRows=2\nEndHeader\ntime" + between + "soleus_r\n  0.00" + between +
                                       "  0.1\n  0.01" + between + "  0.2\n");
         EXPECT_EQ(storage.header, (std::vector<std::string>{"time", "soleus_r"}));
         EXPECT_EQ(storage.numbers(1), (std::vector<double>{0.1, 0.2}));
