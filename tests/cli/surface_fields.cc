@@ -171,7 +171,8 @@ TEST(SurfaceFields, HaveTheAreaOfTheBlockBeforeAndAfterAMotion)
           const Outcome     run =
               run_program(folder, std::string("run ") + (is_turned ? "tetrahedra" : "block") + ".xml --out run" + surface_fields +
                                       "--set system/discretisation/degree=" + degree + " --set \"system/discretisation/quadrature points=" +
-                                      std::to_string(std::stoi(degree) + 2) + "\" --set output/fields/format=" + format + affine_motion);
+                                      std::to_string(std::stoi(degree) + 2) + "\" --set output/fields/format=" + format + affine_motion +
+                                      (is_turned ? " --unset output/series/markers" : ""));
           ASSERT_EQ(run.exit_code, 0) << which << run.err;
           const pictures::Body body = pictures::RunFields(folder / "run").read(0);
           EXPECT_TRUE(body.is_surface());
