@@ -18,7 +18,7 @@ namespace myolines::study
     , jobs_(jobs)
     , terminal_(terminal)
   {
-    say(counted(n, "case") + ", " + std::to_string(n_known) + " known; at most " + std::to_string(jobs) + " at a time");
+    say(counted(n, "case") + ", " + std::to_string(n_known) + " of them known; at most " + std::to_string(jobs) + " at a time");
   }
 
   /// From the mean time of the cases that ended now; those before may have run on another machine.

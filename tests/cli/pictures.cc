@@ -298,7 +298,8 @@ TEST(Report, OfARunHasWhatDiffersFromDefaults)
   EXPECT_NE(html.find("stretch, least"), std::string::npos);
   EXPECT_NE(html.find("<td>force of moving end, along the line of action</td>"), std::string::npos);
   EXPECT_NE(html.find("Fibres of the muscle "), std::string::npos);
-  EXPECT_NE(html.find("myolines verify scene.xml --quantity &#39;reaction.csv:moving end along the line [N]&#39;"), std::string::npos);
+  EXPECT_TRUE(std::regex_search(
+      html, std::regex("myolines verify [^ ]*scene.xml --quantity &#39;reaction.csv:moving end along the line \\[N\\]&#39;")));
   EXPECT_LT(html.size(), 6000000u);
 }
 
