@@ -18,18 +18,19 @@ namespace myolines
 {
   namespace
   {
-    /// OpenBLAS asks for its working memory where it first needs it, and where the system refuses it asks again, for ever. So it gets
-    /// it here, and keeps it. @throws SystemError if there is none.
-    void give_memory_to_blas()
+    /// OpenBLAS asks for its working memory where it first needs it, and where the system refuses it asks again, for ever; Open MPI ends the
+    /// process. So there is room for both before they begin, and OpenBLAS gets its own, which it keeps.
+    /// @throws SystemError if there is none.
+    void give_memory_to_libraries()
     {
-      if (blas_memory_alloc == nullptr || blas_memory_free == nullptr)
-        return;
-      constexpr std::size_t bytes = (std::size_t(32) << 22) + 4096; // its BUFFER_SIZE and a page
-      void *const           room  = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      constexpr std::size_t megabyte = 1 << 20, of_blas = 129 * megabyte, of_mpi = 256 * megabyte; // as they take on x86-64
+      void *const           room     = mmap(nullptr, of_blas + of_mpi, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
       if (room == MAP_FAILED)
-        throw SystemError("out of memory: there are no 128 MB of addresses for OpenBLAS (limits of the process: ulimit -v)", errno);
-      munmap(room, bytes);
-      blas_memory_free(blas_memory_alloc(0));
+        throw SystemError("out of memory: there are no 385 MB of addresses for OpenBLAS and Open MPI (limits of the process: ulimit -v)",
+                          errno);
+      munmap(room, of_blas + of_mpi);
+      if (blas_memory_alloc != nullptr && blas_memory_free != nullptr)
+        blas_memory_free(blas_memory_alloc(0));
     }
   } // namespace
 
@@ -42,6 +43,7 @@ namespace myolines
   {
     if (started())
       return;
+    give_memory_to_libraries();
     if (!is_rank_of_a_job())
       for (const auto &[variable, value] : lone_process_variables)
         setenv(variable, value, /*overwrite*/ 0);
@@ -50,6 +52,5 @@ namespace myolines
     mpi_     = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv_, 1);
     if (openblas_set_num_threads != nullptr)
       openblas_set_num_threads(1);
-    give_memory_to_blas();
   }
 } // namespace myolines

@@ -354,7 +354,8 @@ namespace myolines
         {
         };
         sigaction(SIGHUP, nullptr, &hang_up);
-        mpi.start();
+        if (const ExitCode code = guarded([&mpi] { mpi.start(); }, std::cerr); code != ExitCode::done)
+          return static_cast<int>(code);
         if (hang_up.sa_handler == SIG_IGN) // by nohup, which the MPI library forgets
           std::signal(SIGHUP, SIG_IGN);
       }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <stdexcept>
 
 namespace myolines
@@ -264,6 +265,10 @@ namespace myolines
                 report.reason = std::string(cg ? "cg" : "gmres") + " has not converged: stopped after " +
                                 std::to_string(report.iterations) + " of at most " + std::to_string(maximum_iterations_) + " iterations";
               }
+            catch (const std::bad_alloc &) // no step is to blame
+              {
+                throw;
+              }
             catch (const std::exception &error)
               {
                 report.reason = std::string(cg ? "cg" : "gmres") + " broke down: " + error.what();
@@ -356,6 +361,10 @@ namespace myolines
               break;
             build(linearisation, kept);
           }
+      }
+    catch (const std::bad_alloc &)
+      {
+        throw;
       }
     catch (const std::exception &error)
       {

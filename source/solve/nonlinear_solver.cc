@@ -9,6 +9,8 @@
 #include <NOX_StatusTest_Generic.H>
 #include <Teuchos_oblackholestream.hpp>
 
+#include <new>
+
 namespace myolines
 {
   namespace
@@ -208,6 +210,10 @@ namespace myolines
       {
         if (newton.begin(at_))
           direct ? iterate_directly(newton) : iterate_with_nox(newton);
+      }
+    catch (const std::bad_alloc &) // no step is to blame
+      {
+        throw;
       }
     catch (const std::exception &error)
       {

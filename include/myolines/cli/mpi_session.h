@@ -17,7 +17,7 @@ namespace myolines
 
     /// Starts MPI unless that has been done. A process that is no rank of a job does without networks, and without the helper daemon that
     /// Open MPI gives to such processes; variables of the environment that are set already are respected. @throws SystemError if there is
-    /// no memory for the BLAS.
+    /// no memory for these libraries.
     void start();
 
     /// Ends MPI before this object ends.
