@@ -52,7 +52,7 @@ namespace myolines::scene
 
       void child(const Teuchos::XMLObject &element, RawList &parent, const std::string &path)
       {
-        const std::string tag = element.getTag();
+        const std::string &tag = element.getTag();
         if (tag != list_tag && tag != parameter_tag)
           return problem(path, "unknown element <" + tag + ">", "<ParameterList> or <Parameter>");
         const std::string name = attribute(element, "name", path);

@@ -12,10 +12,10 @@ namespace myolines::study
   {
     using State = Track::State;
 
-    constexpr double      dearer_by = 1.2;  // CPU times of this ratio may be the same
-    constexpr double      promising = 3;    // methods that cost at most so many times the cheapest are tried with steps by error
-    constexpr std::size_t failures  = 5;    // in a row, after which a method is left out
-    constexpr double      sharp     = 0.33; // change of the reference over the error that it tells
+    constexpr double      dearer_by   = 1.2;  // CPU times of this ratio may be the same
+    constexpr double      promising   = 3;    // methods that cost at most so many times the cheapest are tried with steps by error
+    constexpr std::size_t most_failed = 5;    // in a row, after which a method is left out
+    constexpr double      sharp       = 0.33; // change of the reference over the error that it tells
     constexpr double      patience = 10, least_seconds = 30;
   } // namespace
 
@@ -45,7 +45,7 @@ namespace myolines::study
           track.state = State::found;
       }
     else if (std::none_of(track.runs.begin(), track.runs.end(), [](const PilotRun *each) { return each->done(); }) &&
-             track.runs.size() >= failures)
+             track.runs.size() >= most_failed)
       track.state = State::failing;
     if (track.state == State::searching && track.runs.size() == track.candidate->rungs.size())
       track.state = run.done() ? State::too_coarse : State::failing;

@@ -91,7 +91,7 @@ namespace myolines::study
       CsvTable     table_;
     };
 
-    std::string file_name(std::string text)
+    std::string picture_file_name(std::string text)
     {
       for (char &c : text)
         if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.')
@@ -102,7 +102,7 @@ namespace myolines::study
     Picture titled(const Study &study, const std::string &name, const std::string &x_label, const std::string &y_label)
     {
       Picture picture;
-      picture.name    = file_name(name);
+      picture.name    = picture_file_name(name);
       picture.title   = study.title;
       picture.x_label = x_label;
       picture.y_label = y_label;

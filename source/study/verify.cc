@@ -15,12 +15,11 @@ namespace myolines::study
 {
   namespace
   {
-    using Part = VerifyRun::Part;
 
-    VerifyRun run_of(const VerifyOptions &options, const Part part, const std::string &parameter, const Rung &rung)
+    VerifyRun run_of(const VerifyOptions &options, const VerifyRun::Part part, const std::string &parameter, const Rung &rung)
     {
       VerifyRun run{{}, part, rung, {}};
-      run.which.name     = part == Part::scene ? "scene" : case_name("", {{parameter, rung.label}});
+      run.which.name     = part == VerifyRun::Part::scene ? "scene" : case_name("", {{parameter, rung.label}});
       run.which.settings = options.overrides;
       run.which.settings.insert(run.which.settings.end(), rung.settings.begin(), rung.settings.end());
       run.outcome.status = "open";
@@ -28,7 +27,7 @@ namespace myolines::study
     }
 
     /// Three neighbours, the scene among them: the finest that are not too expensive. What is left out is noted.
-    void add_rungs(const VerifyOptions &options, const Part part, Ladder &ladder, std::vector<VerifyRun> &runs)
+    void add_rungs(const VerifyOptions &options, const VerifyRun::Part part, Ladder &ladder, std::vector<VerifyRun> &runs)
     {
       std::size_t finest = ladder.scene;
       while (finest < std::min(ladder.scene + 2, ladder.rungs.size() - 1) && ladder.rungs[finest + 1].cost <= options.at_most)
@@ -48,12 +47,13 @@ namespace myolines::study
 
     std::vector<VerifyRun> plan(const VerifyOptions &options, Refinements &refinements)
     {
-      std::vector<VerifyRun> runs{run_of(options, Part::scene, "", {"", {}, 1, 1})};
-      for (auto [part, ladder] : {std::pair{Part::steps, &refinements.steps}, std::pair{Part::mesh, &refinements.mesh}})
+      std::vector<VerifyRun> runs{run_of(options, VerifyRun::Part::scene, "", {"", {}, 1, 1})};
+      for (auto [part, ladder] :
+           {std::pair{VerifyRun::Part::steps, &refinements.steps}, std::pair{VerifyRun::Part::mesh, &refinements.mesh}})
         if (!ladder->rungs.empty())
           add_rungs(options, part, *ladder, runs);
       if (refinements.degree && refinements.degree->cost <= options.at_most)
-        runs.push_back(run_of(options, Part::degree, refinements.degree_name, *refinements.degree));
+        runs.push_back(run_of(options, VerifyRun::Part::degree, refinements.degree_name, *refinements.degree));
       return runs;
     }
 

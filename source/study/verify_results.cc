@@ -12,15 +12,14 @@ namespace myolines::study
 {
   namespace
   {
-    using Part = VerifyRun::Part;
 
-    LadderError ladder_error(const VerifiedQuantity &quantity, const std::vector<VerifyRun> &runs, const Part part, const Ladder &ladder,
-                             const std::filesystem::path &folder)
+    LadderError ladder_error(const VerifiedQuantity &quantity, const std::vector<VerifyRun> &runs, const VerifyRun::Part part,
+                             const Ladder &ladder, const std::filesystem::path &folder)
     {
       LadderError found;
       found.ladder = &ladder;
       for (const VerifyRun &run : runs)
-        if (run.done() && (run.part == part || run.part == Part::scene))
+        if (run.done() && (run.part == part || run.part == VerifyRun::Part::scene))
           found.runs.push_back(&run);
       std::sort(found.runs.begin(), found.runs.end(), [](const VerifyRun *a, const VerifyRun *b) { return a->rung.size > b->rung.size; });
       std::vector<Sample> samples;
@@ -28,7 +27,7 @@ namespace myolines::study
       double              between = 0; // rows of the last run
       for (const VerifyRun *run : found.runs)
         {
-          if (run->part == Part::scene)
+          if (run->part == VerifyRun::Part::scene)
             scene = samples.size();
           const NamedValue value = value_in_run(quantity, case_folder(folder, run->which.name));
           samples.push_back({run->rung.size, value.value});
@@ -37,7 +36,7 @@ namespace myolines::study
         }
       if (samples.size() > 1)
         found.error = discretisation_error(samples, scene, ladder.order);
-      if (found.error && part == Part::steps)
+      if (found.error && part == VerifyRun::Part::steps)
         found.error->error += between;
       return found;
     }
@@ -74,14 +73,14 @@ namespace myolines::study
     VerifiedValue    found{quantity,
                         of_scene.header,
                         of_scene.value,
-                        ladder_error(quantity, runs, Part::steps, refinements.steps, folder),
-                        ladder_error(quantity, runs, Part::mesh, refinements.mesh, folder),
+                        ladder_error(quantity, runs, VerifyRun::Part::steps, refinements.steps, folder),
+                        ladder_error(quantity, runs, VerifyRun::Part::mesh, refinements.mesh, folder),
                         {},
                         {}};
     if (found.mesh.error)
       found.mesh_error = found.mesh.error->error;
     for (const VerifyRun &run : runs)
-      if (run.part == Part::degree && run.done())
+      if (run.part == VerifyRun::Part::degree && run.done())
         {
           found.other_degree = value_in_run(quantity, case_folder(folder, run.which.name)).value;
           if (refinements.higher)

@@ -37,9 +37,9 @@ namespace myolines
       return sum;
     }
 
-    constexpr double rounding = 1e-10; ///< of coefficients given with a dozen digits
+    constexpr double table_rounding = 1e-10; ///< of coefficients given with a dozen digits
 
-    bool equal(const double x, const double y) { return std::abs(x - y) < rounding; }
+    bool equal(const double x, const double y) { return std::abs(x - y) < table_rounding; }
 
     /// Highest order whose conditions the weights @p b meet, up to 4.
     unsigned int order_of(const DirkTable &table, const Column &b)
@@ -89,7 +89,7 @@ namespace myolines
     {
       constexpr double first = -4, last = 6, step = 0.005; // of the logarithm of y
       for (double exponent = first; exponent <= last; exponent += step)
-        if (std::abs(stability_function(table, {0, std::pow(10, exponent)})) > 1 + rounding)
+        if (std::abs(stability_function(table, {0, std::pow(10, exponent)})) > 1 + table_rounding)
           return false;
       return true;
     }
@@ -115,7 +115,7 @@ namespace myolines
     facts.order       = order_of(table, b);
     facts.stage_order = stage_order(table);
     facts.at_infinity = at_infinity(table);
-    facts.a_stable    = facts.at_infinity <= 1 + rounding && is_bounded_on_the_imaginary_axis(table);
+    facts.a_stable    = facts.at_infinity <= 1 + table_rounding && is_bounded_on_the_imaginary_axis(table);
     if (!table.error.empty())
       {
         Column embedded(b);
@@ -135,7 +135,7 @@ namespace myolines
               << (facts.l_stable() ? "L-stable"
                   : facts.a_stable ? "A-stable"
                                    : "not A-stable")
-              << ", spectral radius at infinity " << (facts.at_infinity < rounding ? 0 : facts.at_infinity);
+              << ", spectral radius at infinity " << (facts.at_infinity < table_rounding ? 0 : facts.at_infinity);
     return {orders.str(), stability.str()};
   }
 } // namespace myolines
