@@ -8,9 +8,9 @@ namespace myolines
     , communicator_(communicator)
     , mode_(mode)
   {
-    const bool first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    const bool                  first = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
     const std::filesystem::path place = mode == Mode::write_anew ? unfinished(path) : path;
-    const auto open  = [&](const File::Mode how) { file_ = std::make_unique<File>(place, how); };
+    const auto                  open  = [&](const File::Mode how) { file_ = std::make_unique<File>(place, how); };
     if (mode == Mode::write_anew) // emptied once, before others write
       agree([&] {
         if (first)

@@ -215,7 +215,7 @@ namespace myolines
 
   void write_checkpoint(const std::filesystem::path &file, const Checkpoint &checkpoint, const SemiDiscreteSystem &system)
   {
-    const MPI_Comm        communicator = checkpoint.state.u.get_mpi_communicator();
+    const MPI_Comm communicator = checkpoint.state.u.get_mpi_communicator();
     // A system that every rank holds whole is written by one.
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) > 1 || writes_files())
       write_verified(file, checkpoint, system);

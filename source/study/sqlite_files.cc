@@ -152,8 +152,8 @@ namespace myolines::study
       opened.path                             = path;
       if ((flags & SQLITE_OPEN_CREATE) != 0 && path != nullptr && access(path, F_OK) != 0 && !make_file(system, path))
         return SQLITE_CANTOPEN;
-      errno          = 0;
-      int code                                = system.usual->xOpen(system.usual, path, opened.usual(), flags, &as);
+      errno             = 0;
+      int       code    = system.usual->xOpen(system.usual, path, opened.usual(), flags, &as);
       const int refused = errno != 0 ? errno : EACCES;
       if (code == SQLITE_OK && (flags & SQLITE_OPEN_READWRITE) != 0 && (as & SQLITE_OPEN_READONLY) != 0)
         {

@@ -32,15 +32,15 @@ namespace
     using scene::Schema;
     const Schema each = Schema("One.").number("x", 1., "m", Range::positive(), "A number.").text("formula", "x + y", "A text.");
     return Schema("All.")
-      .number("number", std::nullopt, "s", Range::closed(0, 1), "A number.")
-      .integer("integer", 3, Range::closed(0, 10), "An integer.")
-      .boolean("boolean", true, "A choice of two.")
-      .optional_text("text", "A text.")
-      .section("list", Schema("A list.").choice("word", "a", {"a", "b"}, "A word."))
-      .optional_section("optional", each)
-      .section("named", Schema("Lists.").named_sections(each))
-      .variant("type", "first", {{"first", each}, {"second", Schema("Another.").optional_number("y", "Pa", Range::any(), "A number.")}},
-               "Which one.");
+        .number("number", std::nullopt, "s", Range::closed(0, 1), "A number.")
+        .integer("integer", 3, Range::closed(0, 10), "An integer.")
+        .boolean("boolean", true, "A choice of two.")
+        .optional_text("text", "A text.")
+        .section("list", Schema("A list.").choice("word", "a", {"a", "b"}, "A word."))
+        .optional_section("optional", each)
+        .section("named", Schema("Lists.").named_sections(each))
+        .variant("type", "first", {{"first", each}, {"second", Schema("Another.").optional_number("y", "Pa", Range::any(), "A number.")}},
+                 "Which one.");
   }
 
   void read_scene_text(const std::string &bytes)
@@ -88,7 +88,8 @@ namespace
     const std::string json = begin < end ? bytes.substr(begin, end - begin) : "", head = std::to_string(json.size()) + "\n" + json;
     Checksum          checksum;
     checksum.add(head);
-    const CheckpointReader reader(file_of("myolines checkpoint 2 " + checksum.text() + "\n" + head + bytes.substr(std::min(end, bytes.size()))));
+    const CheckpointReader reader(
+        file_of("myolines checkpoint 2 " + checksum.text() + "\n" + head + bytes.substr(std::min(end, bytes.size()))));
     for (const char *name : {"u", "v", "a"})
       reader.whole(name);
   }
