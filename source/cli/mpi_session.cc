@@ -18,15 +18,15 @@ namespace myolines
 {
   namespace
   {
-    /// OpenBLAS asks for its working memory where it first needs it, and where the system refuses it asks again, for ever; Open MPI ends the
-    /// process. So there is room for both before they begin, and OpenBLAS gets its own, which it keeps.
+    /// OpenBLAS asks for its working memory where it first needs it, and where the system refuses it asks again, for ever; Open MPI ends
+    /// the process. So there is room for both before they begin, and OpenBLAS gets its own, which it keeps.
     /// @throws SystemError if there is none.
     void give_memory_to_libraries()
     {
-      constexpr std::size_t megabyte = 1 << 20, of_blas = 129 * megabyte, of_mpi = 256 * megabyte; // as they take on x86-64
-      void *const           room     = mmap(nullptr, of_blas + of_mpi, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+      constexpr std::size_t megabyte = 1 << 20, of_blas = 129 * megabyte, of_mpi = 96 * megabyte; // as they take on x86-64
+      void *const           room = mmap(nullptr, of_blas + of_mpi, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
       if (room == MAP_FAILED)
-        throw SystemError("out of memory: there are no 385 MB of addresses for OpenBLAS and Open MPI (limits of the process: ulimit -v)",
+        throw SystemError("out of memory: there are no 225 MB of addresses for OpenBLAS and Open MPI (limits of the process: ulimit -v)",
                           errno);
       munmap(room, of_blas + of_mpi);
       if (blas_memory_alloc != nullptr && blas_memory_free != nullptr)
