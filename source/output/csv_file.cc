@@ -64,7 +64,7 @@ namespace myolines
       on_writing_rank(path_.string(), as_it_was, mend, [&] { go_on(*folder.saved, columns); });
     else
       {
-        file_ = folder.open(name.file, File::Mode::write_anew);
+        file_ = folder.open(name_, File::Mode::write_anew);
         write(columns);
       }
   }

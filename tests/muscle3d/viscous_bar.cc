@@ -136,7 +136,7 @@ namespace myolines
     {
       const double       shear = 0.3, A = shear / wave /* 0.3 2 0.03/pi */, mu = 2 * c1, omega = wave * std::sqrt(mu / density);
       const double       period = 2 * 3.14159265358979324 / omega;
-      Muscle3dParameters p      = shear_wave();
+      Muscle3dParameters p      = ShearWave{}.body();
       p.geometry.cells          = {{8, 1, 1}};
       p.muscle().laws.clear();
       p.muscle().bulk_modulus = 1e9;
