@@ -4,12 +4,13 @@
 
 turned.py PROGRAM WORK_FOLDER [--count N] [--tolerance 1e-9] [--set PATH=VALUE ...] [BODY ...]
 
-Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon and a support, written here), sprung (the same on a tendon spring), image (a curved
-muscle of tetrahedra in millimetres, with fibre vectors at its points and fat in its cells, as VTK file). Each is run as it lies, then N times
-rotated about a random axis, moved by up to its length and, every second time, mirrored; meshes, directions, formulas, loads and markers with it. Scalars
-must be equal, and vectors, which are columns whose names differ by x, y and z alone, after they are turned back, to the tolerance times the greatest
+Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon and a support, written here), sprung (the same on a tendon
+spring), image (a curved muscle of tetrahedra in millimetres, with fibre vectors at its points and fat in its cells, as VTK file). Each is run as it lies, then
+N times rotated about a random axis, moved by up to its length and, every second time, mirrored; meshes, directions, formulas, loads and markers with it.
+Scalars must be equal, and vectors, which are columns whose names differ by x, y and z alone, after they are turned back, to the tolerance times the greatest
 value of their column (of the three of a vector). Energies, forces and work densities, which cancel, are compared on the scale of the greatest of the run,
-angular momenta on that of the greatest momentum times the length of the body, angles on that of a degree at least. The numbers are drawn with a fixed seed. Exit code 1 if anything differs.
+angular momenta on that of the greatest momentum times the length of the body, angles on that of a degree at least. The numbers are drawn with a fixed seed.
+Exit code 1 if anything differs.
 """
 
 import argparse
@@ -111,19 +112,14 @@ class Mesh:
 class Image:
     """What images give: tetrahedra in millimetres, fibre vectors at points, fat in cells."""
 
-    CELLS = (4, 1, 1)
-
-    def __init__(self):
-        self.mesh, self.fibres = curved(self.CELLS)
-
     def size(self):
         return 0.08
 
     def write(self, path, frame):
-        mesh, _ = curved(self.CELLS)
+        mesh, fibres = curved((4, 1, 1))
         mesh.points = [[1000 * x for x in frame.move([x / 1000 for x in point])] for point in mesh.points]
         fat = [0.02 + 0.1 * (i % 3) for i in range(len(mesh.cells))]
-        mesh.write_vtu(path, [frame.turn(fibre) for fibre in self.fibres], tetrahedra=True, digits=17, cell_fields={"fat_fraction": fat})
+        mesh.write_vtu(path, [frame.turn(fibre) for fibre in fibres], tetrahedra=True, digits=17, cell_fields={"fat_fraction": fat})
 
 
 def bar_mesh():
@@ -185,7 +181,8 @@ def ramp(amplitude, duration):
 
 def scene(frame, fibres, tissue, boundary, extra, markers, shape=True, scale=1):
     activation = section("activation", ramp(0.3, 0.04))
-    flags = "".join(parameter(name, "bool", "true") for name in ("all faces", "gearing", "conditions", "momenta")) + parameter("shape", "bool", str(shape).lower())
+    flags = "".join(parameter(name, "bool", "true") for name in ("all faces", "gearing", "conditions", "momenta"))
+    flags += parameter("shape", "bool", str(shape).lower())
     moved = "; ".join(f"m{i} " + numbers_text(frame.move(x)) for i, x in enumerate(markers))
     return section(
         "scene", parameter("title", "string", "turned"),
@@ -261,9 +258,7 @@ def image(frame):
 
 
 def mesh_of(body):
-    if body == "image":
-        return Image()
-    return bar_mesh() if body in ("bar", "sprung") else Mesh.read(BODIES / f"{body}.msh")
+    return Image() if body == "image" else bar_mesh() if body in ("bar", "sprung") else Mesh.read(BODIES / f"{body}.msh")
 
 
 def run(program, folder, mesh, text, frame, settings):
@@ -298,7 +293,6 @@ def vectors(head):
     return found
 
 
-PLACE = re.compile("Centre of mass")
 AXIAL = re.compile(r"Angular momentum|\bmoment\b")  # of which a mirror turns the sense as well
 
 
@@ -307,7 +301,7 @@ def turned_back(head, rows, frame):
     for places in vectors(head):
         name = head[places[0]]
         sense = -1 if frame.mirrors() and AXIAL.search(name) else 1
-        shift = frame.b if PLACE.match(name) else [0, 0, 0]
+        shift = frame.b if name.startswith("Centre of mass") else [0, 0, 0]
         for row in rows:
             for place, x in zip(places, frame.back([sense * row[p] - b for p, b in zip(places, shift)])):
                 row[place] = x
