@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
 #include <myolines/cli/catalogue.h>
+#include <myolines/cli/fit.h>
 #include <myolines/cli/memory.h>
 #include <myolines/cli/memory_limit.h>
 #include <myolines/cli/refinements.h>
@@ -246,6 +247,18 @@ namespace myolines
       std::string no_room;
       return on_other_mesh(scene, rung, row, no_room);
     }
+    /// The method to begin with, with the steps of the scene, where its order is higher.
+    std::optional<Rung> method_rung(const BaseScene &scene)
+    {
+      constexpr double       cost   = 3; // a solve for each order, at most
+      const Node            &own    = scene.node.section("integrator");
+      const IntegratorEntry &method = integrator_entry(own.text("type")), &other = *methods_for_every_system().front();
+      const MethodFacts      facts = facts_with(method, own);
+      if (is_explicit(scene) || facts.order == 0 || facts.order >= other.facts.order)
+        return std::nullopt;
+      const Rung rung{other.facts.name, {"integrator/type=" + other.facts.name}, 1, cost};
+      return scene.with(rung.settings) ? std::optional<Rung>(rung) : std::nullopt;
+    }
   } // namespace
 
   std::vector<std::string> scaled_tolerances(const scene::Node &control, const double factor)
@@ -263,8 +276,10 @@ namespace myolines
   {
     const BaseScene    scene{file, overrides, read_whole_scene(file, overrides)};
     study::Refinements refinements;
-    refinements.steps = steps_of(scene);
-    refinements.mesh  = mesh_of(scene);
+    refinements.steps       = steps_of(scene);
+    refinements.mesh        = mesh_of(scene);
+    refinements.method_name = "integrator/type";
+    refinements.method      = method_rung(scene);
     if (const std::string degree = entry_of(scene.node).mesh.degree; !degree.empty())
       {
         refinements.degree_name = "system/" + degree;

@@ -52,10 +52,10 @@ namespace myolines
     }
 
     void run_with_outputs(Experiment &experiment, const OutputFolder &folder, const RunOptions &options, Tally &tally, Outputs &outputs,
-                          const StopSignals &signals)
+                          const StopSignals &signals, const Warn &warn)
     {
       outputs = experiment.make_outputs(folder);
-      outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, options.quiet));
+      outputs.push_back(make_status(folder, experiment.settings().start, experiment.settings().end, options.quiet, warn));
       outputs.push_back(make_steps_file(folder));
       std::vector<Observer *> observers{&tally};
       for (const auto &output : outputs)
@@ -237,10 +237,15 @@ namespace myolines
         if (const auto warning = warning_of_shared_cores())
           out << "Warning: " << *warning << "\n";
       }
+    const auto warn = [&](const std::string &warning) {
+      record.warnings.push_back(warning);
+      if (!options.quiet)
+        out << "Warning: " << warning << "\n" << std::flush;
+    };
     Tally tally;
     try
       {
-        run_with_outputs(experiment, outputs, options, tally, observers, signals);
+        run_with_outputs(experiment, outputs, options, tally, observers, signals, warn);
       }
     catch (const SolveError &error)
       {

@@ -57,11 +57,13 @@ namespace myolines
     return text.str();
   }
 
-  Status::Status(const OutputFolder &folder, const double start, const double end, std::ostream *terminal)
+  Status::Status(const OutputFolder &folder, const double start, const double end, std::ostream *terminal, Warn warn)
     : start_(start)
     , end_(end)
     , terminal_(writes_files() ? terminal : nullptr)
     , begin_(std::chrono::steady_clock::now())
+    , pace_(end)
+    , warn_(std::move(warn))
   {
     const std::filesystem::path file = folder.file("run.log");
     if (folder.saved == nullptr && writes_files())
@@ -87,10 +89,19 @@ namespace myolines
     log(step_text(record));
     if (terminal_)
       show(record);
+    const std::optional<std::string> warning = pace_.accepted(record, elapsed());
+    if (!warning || !log_)
+      return;
+    log("warning: " + *warning);
+    if (terminal_)
+      *terminal_ << std::endl;
+    if (warn_)
+      warn_(*warning);
   }
 
   void Status::rejected(const StepRecord &record)
   {
+    pace_.rejected(record);
     log(step_text(record) + "  rejected: " + outcome_text(record.report.outcome) +
         (record.report.reason.empty() ? "" : ", " + record.report.reason));
   }
@@ -125,9 +136,9 @@ namespace myolines
     *terminal_ << '\r' << text << std::flush;
   }
 
-  std::unique_ptr<Observer> make_status(const OutputFolder &folder, const double start, const double end, const bool quiet)
+  std::unique_ptr<Observer> make_status(const OutputFolder &folder, const double start, const double end, const bool quiet, Warn warn)
   {
     const bool show = !quiet && isatty(STDOUT_FILENO);
-    return std::make_unique<Status>(folder, start, end, show ? &std::cout : nullptr);
+    return std::make_unique<Status>(folder, start, end, show ? &std::cout : nullptr, std::move(warn));
   }
 } // namespace myolines

@@ -22,14 +22,6 @@ namespace myolines
     using Problem = Belos::LinearProblem<double, Belos::MultiVec<double>, Belos::Operator<double>>;
     using Manager = Belos::SolverManager<double, Belos::MultiVec<double>, Belos::Operator<double>>;
     using Entries = KrylovSystem::Entries;
-
-    TangentOperator::Form form(const scene::Node &linear)
-    {
-      const std::string name = linear.text("operator");
-      return name == "automatic"   ? TangentOperator::Form::automatic
-             : name == "assembled" ? TangentOperator::Form::assembled
-                                   : TangentOperator::Form::matrix_free;
-    }
   } // namespace
 
   class LinearSolver::Implementation
@@ -45,7 +37,7 @@ namespace myolines
       , node_(preconditioner)
       , ledger_(ledger)
       , stop_(std::move(stop))
-      , tangent_(form(linear), ledger)
+      , tangent_(TangentOperator::form(linear.text("operator")), ledger)
     {}
 
     bool automatic() const { return automatic_; }

@@ -5,6 +5,11 @@
 
 namespace myolines
 {
+  TangentOperator::Form TangentOperator::form(const std::string &name)
+  {
+    return name == "automatic" ? Form::automatic : name == "assembled" ? Form::assembled : Form::matrix_free;
+  }
+
   TangentOperator::TangentOperator(const Form form, WorkLedger &ledger)
     : form_(form)
     , ledger_(ledger)

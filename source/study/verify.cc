@@ -54,6 +54,8 @@ namespace myolines::study
           add_rungs(options, part, *ladder, runs);
       if (refinements.degree && refinements.degree->cost <= options.at_most)
         runs.push_back(run_of(options, VerifyRun::Part::degree, refinements.degree_name, *refinements.degree));
+      if (refinements.method && refinements.method->cost <= options.at_most)
+        runs.push_back(run_of(options, VerifyRun::Part::method, refinements.method_name, *refinements.method));
       return runs;
     }
 

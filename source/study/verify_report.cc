@@ -93,10 +93,18 @@ namespace myolines::study
              (counts ? "; its distance is taken for the error of the mesh" : "") + "\n";
     }
 
+    std::string method_line(const VerifiedValue &found, const VerifyRun &run, const Refinements &refinements, const double error_of_all)
+    {
+      const bool counts = found.steps_error > (found.steps.error ? found.steps.error->error : 0);
+      return heading_of_line("method", counts ? found.steps_error : std::nullopt) + refinements.method_name + " " + run.rung.label + ": " +
+             value_text(*found.other_method, error_of_all) + ", with the steps of the scene" +
+             (counts ? "; its distance is taken for the error of the steps" : "") + "\n";
+    }
+
     /// The ladder of the largest error; nullptr if there is no error.
     const LadderError *largest_error(const VerifiedValue &found)
     {
-      const double steps = found.steps.error ? found.steps.error->error : 0, mesh = found.mesh_error.value_or(0);
+      const double steps = found.steps_error.value_or(0), mesh = found.mesh_error.value_or(0);
       return steps == 0 && mesh == 0 ? nullptr : steps >= mesh ? &found.steps : &found.mesh;
     }
 
@@ -118,20 +126,22 @@ namespace myolines::study
 
     std::string text_of_value(const VerifiedValue &found, const std::vector<VerifyRun> &runs, const Refinements &refinements)
     {
-      const double steps = found.steps.error ? found.steps.error->error : 0, all = steps + found.mesh_error.value_or(0);
+      const double all  = found.steps_error.value_or(0) + found.mesh_error.value_or(0);
       const auto   part = [](const std::string &name, const std::optional<double> &error) {
         return error ? " +- " + digits(*error, 2) + " (" + name + ")" : "";
       };
       const std::string unit = unit_in(found.header);
       std::string       text = found.quantity.file + ", " + found.header + ", " + words_of(found.quantity) + ":\n  " +
-                         value_text(found.value, all) + part("steps", found.steps.error ? std::optional<double>(steps) : std::nullopt) +
-                         part("mesh", found.mesh_error) + (unit.empty() ? "" : " " + unit);
+                         value_text(found.value, all) + part("steps", found.steps_error) + part("mesh", found.mesh_error) +
+                         (unit.empty() ? "" : " " + unit);
       if (all > 0 && found.value != 0)
         text += ", " + digits(100 * all / std::abs(found.value), 2) + " % together";
       text += "\n" + ladder_line(found.steps, all) + ladder_line(found.mesh, all);
       for (const VerifyRun &run : runs)
         if (run.part == VerifyRun::Part::degree && found.other_degree)
           text += degree_line(found, run, refinements, all);
+        else if (run.part == VerifyRun::Part::method && found.other_method)
+          text += method_line(found, run, refinements, all);
       return text + halving_line(found, runs.front());
     }
 
@@ -163,7 +173,7 @@ namespace myolines::study
           const auto               halving = largest != nullptr ? largest->halving(scene) : std::nullopt;
           std::vector<std::string> cells{found.quantity.text, found.header, exact_text(found.value)};
           const auto append = [&cells](const std::vector<std::string> &more) { cells.insert(cells.end(), more.begin(), more.end()); };
-          append(cells_of_ladder(found.steps, found.steps.error ? std::optional<double>(found.steps.error->error) : std::nullopt));
+          append(cells_of_ladder(found.steps, found.steps_error));
           append(cells_of_ladder(found.mesh, found.mesh_error));
           append({largest != nullptr ? largest->ladder->name : "", halving ? halving->setting : "",
                   cell_of(halving ? halving->cpu_seconds : std::nullopt), cell_of(scene.outcome.cpu_seconds), drift});
@@ -179,7 +189,9 @@ namespace myolines::study
         for (std::size_t i = 0; i < ladder->runs.size(); ++i)
           if (ladder->runs[i] == &run)
             return ladder->values[i];
-      return run.done() ? found.other_degree : std::nullopt;
+      if (!run.done())
+        return std::nullopt;
+      return run.part == VerifyRun::Part::method ? found.other_method : found.other_degree;
     }
   } // namespace
 

@@ -76,11 +76,20 @@ namespace myolines::study
                         ladder_error(quantity, runs, VerifyRun::Part::steps, refinements.steps, folder),
                         ladder_error(quantity, runs, VerifyRun::Part::mesh, refinements.mesh, folder),
                         {},
+                        {},
+                        {},
                         {}};
     if (found.mesh.error)
       found.mesh_error = found.mesh.error->error;
+    if (found.steps.error)
+      found.steps_error = found.steps.error->error;
     for (const VerifyRun &run : runs)
-      if (run.part == VerifyRun::Part::degree && run.done())
+      if (run.part == VerifyRun::Part::method && run.done())
+        {
+          found.other_method = value_in_run(quantity, case_folder(folder, run.which.name)).value;
+          found.steps_error  = std::max(found.steps_error.value_or(0), std::abs(*found.other_method - found.value));
+        }
+      else if (run.part == VerifyRun::Part::degree && run.done())
         {
           found.other_degree = value_in_run(quantity, case_folder(folder, run.which.name)).value;
           if (refinements.higher)

@@ -23,7 +23,8 @@ namespace myolines::study
       scene,
       steps,
       mesh,
-      degree
+      degree,
+      method
     };
     Case    which;
     Part    part;
@@ -60,7 +61,9 @@ namespace myolines::study
     LadderError      steps, mesh;
 
     std::optional<double> other_degree; ///< value with elements of the other degree
+    std::optional<double> other_method; ///< value by the method of higher order
     std::optional<double> mesh_error;   ///< that of the mesh; not less than the distance from the value of a higher degree
+    std::optional<double> steps_error;  ///< that of the steps; not less than the distance from the value by a method of higher order
   };
 
   /// From the folders of the runs that are done, of which the first is one. @throws InputError if they do not have the quantity.

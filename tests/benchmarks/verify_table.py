@@ -30,8 +30,8 @@ SCENES = (
     ("isometric block", "isometric_block.xml", ["system/geometry/refinement=1"], PULL,
      ["system/geometry/refinement=3", "integrator/type=sdirk2", "time/step=0.00625"]),
     ("kinked block", "kinked_block.xml", [], PULL, ["system/geometry/refinement=3", "time/step=0.003125"]),
-    ("bipennate", "bodies/bipennate.xml", ["system/geometry/file=MESH"], PULL, ["system/geometry/file=bipennate.msh", "time/control/displacement/relative tolerance=1e-4",
-                                                                               "time/control/displacement/absolute tolerance=1e-7"]),
+    ("bipennate", "bodies/bipennate.xml", ["system/geometry/file=MESH"], PULL,
+     ["time/control/displacement/relative tolerance=1e-4", "time/control/displacement/absolute tolerance=1e-7"]),
     ("afterloaded", "afterloaded_contraction.xml", [], LIFT,
      ["system/geometry/refinement=2", "integrator/type=sdirk2", "time/step=0.00125"]),
 )

@@ -49,7 +49,7 @@ TEST(Verify, HoldsTheExactOscillationAndGoesOn)
   std::filesystem::remove_all(folder / "out/cases/time_step=0.025");
   const Outcome outcome = run_program(folder, command + known);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(occurrences(contents(folder / "out/study.log"), "  done  "), 4u); // three, and one again
+  EXPECT_EQ(occurrences(contents(folder / "out/study.log"), "  done  "), 5u); // four, and one again
   EXPECT_EQ(outcome.out, contents(folder / "out/verify.txt") + "Results are in out: verify.txt, verify.csv, runs.csv\n");
   EXPECT_NE(outcome.out.find("there is no mesh"), std::string::npos);
   EXPECT_EQ(verified_cell(folder, 0, "steps"), "as in theory");
@@ -101,7 +101,7 @@ TEST(Verify, KilledAndCalledAgainGoesOn)
       EXPECT_FALSE(std::filesystem::exists(folder / "out/verify.csv"));
     }
   ASSERT_EQ(run_program(folder, "verify scene.xml --out out" + arguments).exit_code, 0);
-  EXPECT_EQ(runs_done(), 3u);
+  EXPECT_EQ(runs_done(), 4u);
   ASSERT_EQ(run_program(folder, "verify scene.xml --out alone" + arguments).exit_code, 0);
   const auto killed = myolines::scene::read_csv(folder / "out/verify.csv"), alone = myolines::scene::read_csv(folder / "alone/verify.csv");
   for (const char *const column : {"value", "error of steps", "rate in steps", "steps", "to halve it"})
@@ -134,6 +134,26 @@ TEST(Verify, HoldsTheExactWaveOfARod)
   EXPECT_EQ(verified_cell(folder, 2, "largest error"), "mesh");
   EXPECT_NE(outcome.out.find("system/elements 4: "), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("system/degree 2: "), std::string::npos) << outcome.out;
+}
+
+/// Backward Euler damps the oscillation away with the step, with half of it and with a quarter: only another method tells.
+TEST(Verify, SeesWhatAMethodTakesAwayAtAllSteps)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", free_oscillation);
+  const std::string settings = " --set time/step=1 --set time/end=40";
+  const Outcome     outcome  = run_program(folder, "verify scene.xml --out out --jobs 1 --quantity trajectory.csv:displacement" + settings);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  ASSERT_EQ(run_program(folder, "run scene.xml --out other --quiet --set integrator/type=sdirk3" + settings).exit_code, 0);
+  const auto   table = myolines::scene::read_csv(folder / "other/trajectory.csv");
+  const double other = std::stod(table->rows.back()[table->column("Displacement [m]").value()]);
+  EXPECT_GT(std::abs(other), 0.1);
+  EXPECT_NEAR(verified_number(folder, 0, "error of steps"), std::abs(other - verified_number(folder, 0, "value")), 1e-12);
+  EXPECT_NE(outcome.out.find("integrator/type sdirk3: "), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("its distance is taken for the error of the steps"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run_program(folder, "verify scene.xml --out best --jobs 1 --quantity trajectory.csv:displacement --set integrator/type=sdirk3")
+                .out.find("  method"),
+            std::string::npos); // there is none of a higher order
 }
 
 /// Steps by error: tolerances are what becomes finer.

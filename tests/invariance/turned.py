@@ -10,7 +10,8 @@ in millimetres, with fibre vectors at its points and fat in its cells, as VTK fi
 rotated about a random axis, moved by up to its length and, every second time, mirrored; meshes, directions, formulas, loads and markers with it. Scalars
 must be equal, and vectors, which are columns whose names differ by x, y and z alone, after they are turned back, to the tolerance times the greatest
 value of their column (of the three of a vector). Energies, forces and work densities, which cancel, are compared on the scale of the greatest of the run,
-angles on that of a degree at least. The numbers are drawn with a fixed seed. Exit code 1 if anything differs.
+angular momenta on that of the greatest momentum times the length of the body, angles on that of a degree at least. The numbers are drawn with a fixed seed.
+Exit code 1 if anything differs.
 """
 
 import argparse
@@ -62,7 +63,6 @@ def vectors(head):
     return found
 
 
-PLACE = re.compile("Centre of mass")
 AXIAL = re.compile(r"Angular momentum|\bmoment\b")  # of which a mirror turns the sense as well
 
 
@@ -71,22 +71,23 @@ def turned_back(head, rows, frame):
     for places in vectors(head):
         name = head[places[0]]
         sense = -1 if frame.mirrors() and AXIAL.search(name) else 1
-        shift = frame.b if PLACE.match(name) else [0, 0, 0]
+        shift = frame.b if name.startswith("Centre of mass") else [0, 0, 0]
         for row in rows:
             for place, x in zip(places, frame.back([sense * row[p] - b for p, b in zip(places, shift)])):
                 row[place] = x
     return rows
 
 
-CANCELLING = ("[J]", "[N]", "[J/m^3]")
+CANCELLING = ("[J]", "[N]", "[J/m^3]", "[kg m/s]")
 
 
-def greatest(tables):
-    """By unit of what cancels, the greatest value in all tables."""
+def greatest(tables, length):
+    """By unit of what cancels, the greatest value in all tables; of angular momentum, the greatest momentum times the length of the body."""
     scales = dict.fromkeys(CANCELLING, 0.0)
     for head, rows in tables:
         for unit in CANCELLING:
             scales[unit] = max([scales[unit]] + [abs(row[i]) for i, title in enumerate(head) if title.endswith(unit) for row in rows])
+    scales["[kg m^2/s]"] = scales.pop("[kg m/s]") * length
     return scales
 
 
@@ -122,7 +123,7 @@ def check(program, body, work, count, tolerance, settings):
     still = Frame([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
     run(program, work / "still", mesh, make(still), still, settings)
     names = tables(work / "still")
-    scales = greatest(table(work / "still" / "out" / name) for name in names)
+    scales = greatest((table(work / "still" / "out" / name) for name in names), mesh.size())
     draw = random.Random(f"{body} turned")
     problems = []
     for turn in range(count):

@@ -87,6 +87,70 @@ TEST(Status, NothingOnATerminalThatIsNotThere)
   EXPECT_EQ(folder.lines("run.log").size(), 3u);
 }
 
+namespace
+{
+  StepRecord by_error(const std::size_t number, const double dt, const double error)
+  {
+    StepRecord step            = record(number, number * dt, dt);
+    step.report.error_estimate = error;
+    return step;
+  }
+} // namespace
+
+/// A hundred steps of a microsecond in a run of a second: told once, with their number, their time and what holds them.
+TEST(Status, WarnsOfStepsByErrorThatHaveBecomeVeryMany)
+{
+  test::Folder             folder;
+  std::vector<std::string> told;
+  const auto               status = make_status(folder.path, 0, 1, true, [&](const std::string &warning) { told.push_back(warning); });
+  status->begin(State());
+  for (std::size_t i = 1; i <= 300; ++i)
+    {
+      status->accepted(State(), by_error(i, 1e-6, 0.5));
+      EXPECT_EQ(told.size(), i < 100 ? 0u : 1u) << i;
+    }
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].find("steps are 1e-06 s long at t = 0.0001 s"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("about 1e+06 more"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("the error was 0.5 of the tolerance"), std::string::npos) << told[0];
+  EXPECT_NE(folder.lines("run.log")[101].find("warning: steps are"), std::string::npos);
+}
+
+TEST(Status, TellsWhatHoldsStepsShort)
+{
+  const auto told = [](const double error, const std::size_t every, const StepReport::Outcome outcome) {
+    Pace                       pace(1);
+    std::optional<std::string> warning;
+    for (std::size_t i = 1; i <= 100; ++i)
+      {
+        StepRecord refused     = by_error(i, 1e-6, 2);
+        refused.report.outcome = outcome;
+        if (every > 0 && i % every == 0)
+          pace.rejected(refused);
+        warning = pace.accepted(by_error(i, 1e-6, error), 10);
+      }
+    return warning.value_or("");
+  };
+  EXPECT_NE(told(0.001, 2, StepReport::Outcome::not_converged).find("50 more failed to be solved"), std::string::npos);
+  EXPECT_NE(told(0.001, 10, StepReport::Outcome::error_too_large).find("10 more were refused"), std::string::npos);
+  EXPECT_NE(told(0.001, 0, StepReport::Outcome::accepted).find("it is not what holds them short"), std::string::npos);
+}
+
+/// Steps that grow, that are enough, or that are given.
+TEST(Status, DoesNotWarnOfStepsThatAreWell)
+{
+  Pace   growing(1), enough(1), given(1);
+  double size = 1e-9;
+  for (std::size_t i = 1; i <= 100; ++i, size *= 1.05)
+    {
+      StepRecord grown = by_error(i, 1e-6, 0.5), fixed = record(i, 1e-6 * i, 1e-6);
+      grown.dt = size;
+      EXPECT_FALSE(growing.accepted(grown, 1));
+      EXPECT_FALSE(enough.accepted(by_error(i, 1e-3, 0.5), 1));
+      EXPECT_FALSE(given.accepted(fixed, 1));
+    }
+}
+
 TEST(StepsFile, OneRowPerAttempt)
 {
   test::Folder folder;

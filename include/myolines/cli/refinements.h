@@ -15,7 +15,8 @@ namespace myolines
   ///   large, of the order p / k, p that of the method and k the exponent of its estimate (1 for methods that choose their steps
   ///   themselves);
   /// - mesh: as SystemEntry::mesh has it, of the order degree + 1;
-  /// - degree: one more, or one less where there is no higher one.
+  /// - degree: one more, or one less where there is no higher one;
+  /// - method: the first of methods_for_every_system(), where its order is higher than that of the scene's.
   /// Meshes that need more memory than there is are left out, and finer ones where steps are explicit.
   /// @throws InputError if it is no scene.
   study::Refinements refinements_of(const std::filesystem::path &file, const std::vector<std::string> &overrides);

@@ -3,6 +3,8 @@
 
 #include <myolines/base/files.h>
 #include <myolines/output/output_folder.h>
+#include <myolines/output/pace.h>
+#include <myolines/output/step_records.h>
 #include <myolines/time/loop.h>
 
 #include <chrono>
@@ -17,9 +19,9 @@ namespace myolines
   {
   public:
     /// Times in seconds; @p terminal may be nullptr (not a terminal, or the user wants quiet). Only the rank that
-    /// writes files logs, in run.log, and shows. The log of a resumed run goes on. @throws SystemError, here and below, where the log
-    /// cannot be written.
-    Status(const OutputFolder &folder, double start, double end, std::ostream *terminal);
+    /// writes files logs, in run.log, and shows; there @p warn, which may be empty, hears of what Pace has to tell. The log of a resumed
+    /// run goes on. @throws SystemError, here and below, where the log cannot be written.
+    Status(const OutputFolder &folder, double start, double end, std::ostream *terminal, Warn warn = {});
 
     void begin(const State &state) override;
     void resume(const State &state, std::size_t step) override;
@@ -39,6 +41,8 @@ namespace myolines
     std::ostream                         *terminal_;
     std::size_t                           shown_width_ = 0;
     std::chrono::steady_clock::time_point begin_;
+    Pace                                  pace_;
+    const Warn                            warn_;
   };
 
   /// "7 s", "3 min 05 s", "2 h 07 min".

@@ -6,6 +6,7 @@
 #include <myolines/system/linearisation.h>
 
 #include <memory>
+#include <string>
 
 namespace myolines
 {
@@ -21,6 +22,8 @@ namespace myolines
       matrix_free, ///< by actions of the Linearisation
       assembled    ///< by products with its matrix
     };
+
+    static Form form(const std::string &name); ///< that of `solver/linear/operator`
 
     TangentOperator(Form form, WorkLedger &ledger); ///< Bound to nothing yet.
 

@@ -47,6 +47,8 @@ namespace myolines::study
     std::optional<Rung> degree;         ///< another degree of the elements on the same mesh, if there is one
     std::string         degree_name;    ///< "system/degree"
     bool                higher = false; ///< whether that degree is higher
+    std::optional<Rung> method;         ///< a method of higher order with the steps of the scene, if there is one
+    std::string         method_name;    ///< "integrator/type"
   };
 
   /// What `verify` is asked for.
@@ -56,10 +58,10 @@ namespace myolines::study
     std::function<Refinements(const std::filesystem::path &scene, const std::vector<std::string> &overrides)> refinements;
   };
 
-  /// The command `verify`: runs the scene as it stands, with shorter steps, on other meshes and with elements of another degree, and
-  /// tells for each quantity the value of the scene with the estimated errors of steps and mesh (discretisation_error()), the drift of
-  /// energy, which error is the largest and what halving it would cost. Writes verify.txt, verify.csv (a row for each quantity), runs.csv
-  /// (a row for each run) and verify.sqlite. Runs that are done are not run again.
+  /// The command `verify`: runs the scene as it stands, with shorter steps, by a method of higher order, on other meshes and with elements
+  /// of another degree, and tells for each quantity the value of the scene with the estimated errors of steps and mesh
+  /// (discretisation_error()), the drift of energy, which error is the largest and what halving it would cost. Writes verify.txt,
+  /// verify.csv (a row for each quantity), runs.csv (a row for each run) and verify.sqlite. Runs that are done are not run again.
   /// @throws InputError for quantities that the runs do not have, SolveError if a run failed, after all others were told; Interrupted.
   void verify_command(const VerifyOptions &options, std::ostream &out);
 } // namespace myolines::study
