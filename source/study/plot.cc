@@ -108,10 +108,12 @@ namespace myolines::study
       if (pictures.size() < 2)
         return;
       for (Picture &picture : pictures)
-        if (picture.curves.size() == 1)
-          picture.title += ": " + picture.curves.front().title;
-        else if (const std::string what = scene::trimmed(picture.y_label.substr(0, picture.y_label.find('['))); !what.empty())
-          picture.title += ": " + what;
+        {
+          const std::string what  = scene::trimmed(picture.y_label.substr(0, picture.y_label.find('[')));
+          const std::string which = picture.curves.size() == 1 ? picture.curves.front().title : what;
+          if (!which.empty())
+            picture.title = picture.title.substr(0, picture.title.find(": ")) + ": " + which; // instead of a list of all
+        }
     }
 
     /// Columns of one unit share a picture.

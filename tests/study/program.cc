@@ -61,7 +61,7 @@ TEST(StudyProgram, MeasuresRatesInTime)
   EXPECT_NEAR(std::stod(table->rows[2][*rate]), 1, 0.05);
   EXPECT_NEAR(std::stod(table->rows[5][*rate]), 2, 0.05);
 
-  EXPECT_EQ(run_program(folder, "plot out").out.substr(0, 11), "1 pictures,");
+  EXPECT_EQ(run_program(folder, "plot out").out.substr(0, 10), "1 picture,");
   for (const char *name : {"png", "svg", "gp"})
     EXPECT_GT(std::filesystem::file_size(folder / ("out/pictures/error_in_u_over_step." + std::string(name))), 300u) << name;
 }
