@@ -326,7 +326,6 @@ namespace myolines
         tolerance                 = std::min(0.9, std::max(tightest, tolerance * local->size / size));
         enough *= local->size / size;
       }
-
     unsigned int iterations = 0;
     try
       {
