@@ -13,10 +13,10 @@ namespace myolines
   namespace
   {
     constexpr unsigned int n_modes = 6;
-    using Row                      = std::array<double, n_modes>; ///< what a condition sees of each mode
-    using Matrix6                  = std::array<Row, n_modes>;
+    using ModeRow                  = std::array<double, n_modes>; ///< what a condition sees of each mode
+    using Matrix6                  = std::array<ModeRow, n_modes>;
 
-    void add_square(Matrix6 &sum, const Row &row, const double weight = 1)
+    void add_square(Matrix6 &sum, const ModeRow &row, const double weight = 1)
     {
       for (unsigned int i = 0; i < n_modes; ++i)
         for (unsigned int j = 0; j < n_modes; ++j)
@@ -66,7 +66,7 @@ namespace myolines
       for (const auto &line : constraints.get_lines())
         if (space.owned_unknowns().is_element(line.index))
           {
-            Row row{};
+            ModeRow row{};
             for (unsigned int m = 0; m < n_modes; ++m)
               {
                 row[m] = modes[m](line.index);
@@ -101,7 +101,7 @@ namespace myolines
                           motion[m][c] += values.shape_value(i, q) * modes[m](3 * nodes[i] + c);
                     for (const Vector3 &direction : condition.held_directions(values.normal_vector(q)))
                       {
-                        Row pulled;
+                        ModeRow pulled;
                         for (unsigned int m = 0; m < n_modes; ++m)
                           pulled[m] = motion[m] * direction;
                         add_square(sum, pulled, values.JxW(q) / size);
@@ -132,7 +132,7 @@ namespace myolines
     for (const auto &condition : parameters.boundary)
       if (condition->facts().supports)
         add_springs(*condition, space, modes, sum);
-    for (Row &row : sum)
+    for (ModeRow &row : sum)
       for (double &x : row)
         x = dealii::Utilities::MPI::sum(x, space.communicator());
     const unsigned int translations = nullity(sum, 3);
