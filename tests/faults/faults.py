@@ -94,17 +94,25 @@ NEEDS_ROOM = ("open", "write", "sync", "rename", "mkdir", "close")
 OF_NAMES = ("open", "read", "rename", "remove", "mkdir")
 
 
+def resolved_scene(folder):
+    file = folder / "out" / "scene.resolved.xml"
+    return file.read_bytes() if file.exists() else b""
+
+
 class Scenario:
     """A command, what has to be there before, how to go on after a fault, and where the results are."""
 
     def __init__(self, name, files, command, before=(), is_study=False):
         self.name, self.files, self.command, self.before, self.is_study = name, files, command, before, is_study
 
-    def again(self, folder):
+    def again(self, folder, resolved):
+        """What a person would do: where the folder still has the state of another run, before this one, the same command."""
         words = [word for word in self.command if word not in ("--overwrite", "--resume")]
         if self.is_study:
             return words + ["--retry"]
-        return words + (["--resume"] if (folder / "out" / "checkpoint").exists() else [])
+        if not (folder / "out" / "checkpoint").exists():
+            return words
+        return words + ["--resume"] if resolved_scene(folder) == resolved or "--resume" in self.command else self.command
 
 
 def scenarios():
@@ -167,6 +175,7 @@ class Tester:
         self.seconds = time.time() - begin
         self.calls = [line.split(" ", 1) for line in (self.folder / "calls.txt").read_text().splitlines()]
         self.tables = tables(self.folder)
+        self.resolved = resolved_scene(self.folder)
 
     def ask(self, folder, command, at=0, error=0, lasting=False, killed_after=0):
         return self.server.ask(at, error, "lasting" if lasting else "once", int(1e6 * killed_after), folder, *command)
@@ -227,7 +236,7 @@ class Tester:
             reason = json.loads(manifest.read_text())["exit reason"]
             if reason not in ("running", "done") and "the system refused" not in reason:
                 raise Wrong(f"the manifest has the reason {reason}")
-        command = self.scenario.again(self.folder)
+        command = self.scenario.again(self.folder, self.resolved)
         code = os.waitstatus_to_exitcode(self.ask(self.folder, command))
         if code != 0:
             raise Wrong(f"{command} ends with {code}: {(self.folder / 'err.txt').read_text(errors='replace')}")
