@@ -192,8 +192,8 @@ namespace myolines::study
     for (const NamedTable &first : series_in(folders.front(), file))
       for (std::size_t c = 1; c < first.table.header.size(); ++c)
         {
-          const std::string header = first.table.header[c], stem = std::filesystem::path(first.file).stem().string();
-          Picture           picture = empty_series(stem + "_" + header.substr(0, header.find(" [")), stem, header);
+          const std::string header = first.table.header[c], what = header.substr(0, header.find(" ["));
+          Picture picture = empty_series(std::filesystem::path(first.file).stem().string() + "_" + what, first.title + ": " + what, header);
           for (std::size_t r = 0; r < folders.size(); ++r)
             if (const auto table = read_csv(folders[r] / first.file); table && table->column(header))
               picture.curves.push_back(curve_of(names[r], series_of(*table, header)));

@@ -25,7 +25,7 @@ namespace
         parameter("title", "string", "Two tissues of its own") +
             list("system",
                  parameter("type", "string", "muscle 3d") +
-                     list("geometry", parameter("cells x", "int", "4") + parameter("refinement", "int", "0") +
+                     list("geometry", parameter("cells x", "int", "3") + parameter("refinement", "int", "0") +
                                           parameter("tissue", "string", "myocardium")) +
                      list("fields", parameter("tissue", "string", "x&lt;0.01 ? 4 : 5")) +
                      list("tissues", list("own", list("myocardium", list("laws", law("wall", "guccione") + law("fluid", "viscosity") +

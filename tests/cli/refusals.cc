@@ -250,7 +250,7 @@ TEST(Inputs, WhatIsNoTextIsTold)
                                    {"utf16.xml", "UTF-16"},
                                    {"pipe.xml", "it is a pipe"},
                                    {"/dev/zero", "it is a device"},
-                                   {"''", "there is no such file"}})
+                                   {"''", "it has no name"}})
     {
       const Outcome outcome = run_program(folder, std::string("check ") + file, "timeout 20");
       EXPECT_EQ(outcome.exit_code, 2) << file << outcome.err;

@@ -95,7 +95,7 @@ namespace myolines
           // explicit steps follow the fastest wave and the stiffest dashpot of the mesh
           const bool         explicit_steps = entry.facts.solves == MethodFacts::Solves::mass;
           const ShearWave    bar            = explicit_steps ? ShearWave{20, 1e5} : ShearWave{};
-          const unsigned int steps          = explicit_steps ? 640 : 32;
+          const unsigned int steps          = explicit_steps ? 1280 : 32;
           const double       coarse = bar.error(entry.facts.name, steps), fine = bar.error(entry.facts.name, 2 * steps);
           EXPECT_LT(fine, entry.facts.order == 1 ? 0.1 : 2e-3);
           EXPECT_GT(std::log2(coarse / fine), entry.facts.order - 0.25) << coarse << " " << fine;
