@@ -10,7 +10,8 @@ namespace myolines
                              std::vector<std::string> columns{"Time [s]", "Activation (%)", "Muscle length [m]"};
                              for (const ActivationRegion &region : context.system.parameters().regions)
                                columns.push_back("Activation of " + region.name + " (%)");
-                             return make_series_file(context.folder, "activation_muscle_length-3d.csv", columns,
+                             return make_series_file(context.folder,
+                                                     {"activation_muscle_length-3d.csv", "Activation and length of the muscle"}, columns,
                                                      [](const Muscle3dSample &sample) {
                                                        const Activation    a = sample.activation();
                                                        std::vector<double> row{sample.t(), 100 * a.level[0], sample.muscle_length()};

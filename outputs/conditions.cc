@@ -99,8 +99,9 @@ namespace myolines
           const std::vector<std::string> columns    = conditions->columns();
           if (columns.size() == 1)
             return nullptr;
-          return make_series_file(context.folder, "conditions.csv", columns,
-                                  [conditions](const Muscle3dSample &sample) { return conditions->row(sample); });
+          return make_series_file(context.folder,
+                                  {"conditions.csv", "Powers of the boundary conditions, energies of springs, elongation of tendons"},
+                                  columns, [conditions](const Muscle3dSample &sample) { return conditions->row(sample); });
         });
   }
 } // namespace myolines

@@ -13,14 +13,15 @@ namespace myolines
                              for (const std::string &part : parts.names("Aponeurosis"))
                                columns.push_back((part == "Total" ? "Internal" : part) + " [J/m^3]");
                              columns.push_back("Volume [m^3]");
-                             return make_series_file(context.folder, "energy_data-3d.csv", columns, [parts](const Muscle3dSample &sample) {
-                               const BodyMeasures &body = sample.body();
-                               std::vector<double> row{sample.t(), body.kinetic / body.volume};
-                               for (const double density : parts.values(body.work_density))
-                                 row.push_back(density);
-                               row.push_back(body.volume);
-                               return row;
-                             });
+                             return make_series_file(context.folder, {"energy_data-3d.csv", "Energy densities by part of the stress"},
+                                                     columns, [parts](const Muscle3dSample &sample) {
+                                                       const BodyMeasures &body = sample.body();
+                                                       std::vector<double> row{sample.t(), body.kinetic / body.volume};
+                                                       for (const double density : parts.values(body.work_density))
+                                                         row.push_back(density);
+                                                       row.push_back(body.volume);
+                                                       return row;
+                                                     });
                            });
   }
 } // namespace myolines

@@ -3,20 +3,34 @@
 #include <myolines/output/csv_file.h>
 
 #include <algorithm>
+#include <map>
 
 namespace myolines
 {
   namespace
   {
-    std::vector<std::string> balance_columns(const bool springs, const bool laws)
+    /// The laws that can store energy, with their places in BodyMeasures::stored_by_law.
+    std::map<std::size_t, std::string> storing_laws(const Muscle3dParameters &body)
+    {
+      std::map<std::size_t, std::string> laws;
+      const std::vector<LawPart>         parts = body.law_parts();
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        if (parts[i].part->law->kind.has_energy)
+          laws[i] = parts[i].name;
+      return laws;
+    }
+
+    std::vector<std::string> balance_columns(const bool springs, const Muscle3dParameters &body)
     {
       std::vector<std::string> columns{"Time [s]",           "Kinetic [J]",         "Stored volumetric [J]", "Stored base [J]",
                                        "Stored passive [J]", "Active work [J]",     "Dissipated [J]",        "External work [J]",
                                        "Balance drift [J]",  "Stored tendinous [J]"};
       if (springs)
         columns.push_back("Stored springs [J]");
-      if (laws)
+      if (body.any_laws())
         columns.push_back("Stored laws [J]");
+      for (const auto &[place, name] : storing_laws(body))
+        columns.push_back("Stored " + name + " [J]");
       return columns;
     }
 
@@ -24,10 +38,11 @@ namespace myolines
     class EnergyBalanceFile : public SeriesFile
     {
     public:
-      EnergyBalanceFile(const OutputFolder &folder, const bool springs, const bool laws)
+      EnergyBalanceFile(const OutputFolder &folder, const bool springs, const Muscle3dParameters &body)
         : springs_(springs)
-        , laws_(laws)
-        , csv_(folder, "energy_balance.csv", balance_columns(springs, laws))
+        , laws_(body.any_laws())
+        , storing_laws_(storing_laws(body))
+        , csv_(folder, {"energy_balance.csv", "Energies, works and the drift of their balance"}, balance_columns(springs, body))
       {
         if (folder.saved != nullptr)
           balance_.load(*folder.saved);
@@ -53,6 +68,8 @@ namespace myolines
           row.push_back(body.stored_springs);
         if (laws_)
           row.push_back(body.stored_laws);
+        for (const auto &[place, name] : storing_laws_)
+          row.push_back(body.stored_by_law.at(place));
         csv_.row(row);
       }
 
@@ -76,9 +93,10 @@ namespace myolines
       }
 
     private:
-      const bool    springs_, laws_;
-      CsvFile       csv_;
-      EnergyBalance balance_;
+      const bool                               springs_, laws_;
+      const std::map<std::size_t, std::string> storing_laws_;
+      CsvFile                                  csv_;
+      EnergyBalance                            balance_;
     };
   } // namespace
 
@@ -92,7 +110,7 @@ namespace myolines
                              const Muscle3dParameters &body    = context.system.parameters();
                              const bool                springs = std::any_of(body.boundary.begin(), body.boundary.end(),
                                                                              [](const auto &condition) { return condition->facts().supports; });
-                             return std::make_unique<EnergyBalanceFile>(context.folder, springs, body.any_laws());
+                             return std::make_unique<EnergyBalanceFile>(context.folder, springs, body);
                            });
   }
 } // namespace myolines

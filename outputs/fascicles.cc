@@ -31,25 +31,26 @@ namespace myolines
                                            "Mean stretch", "Mean velocity [m/s]", "Mean curvature [1/m]"};
           if (line)
             columns.push_back("Mean angle to the line [deg]");
-          return make_series_file(context.folder, "fascicles.csv", columns, [fascicles, line](const Muscle3dSample &sample) {
-            const std::vector<Fascicles::Shape> shapes = fascicles->shapes(sample.state());
-            const auto                          n      = static_cast<double>(shapes.size());
-            std::vector<double>                 row{sample.t(), 0, shapes.front().length, shapes.front().length, 0, 0, 0};
-            double                              angle = 0;
-            for (std::size_t i = 0; i < shapes.size(); ++i)
-              {
-                row[1] += shapes[i].length / n;
-                row[2] = std::min(row[2], shapes[i].length);
-                row[3] = std::max(row[3], shapes[i].length);
-                row[4] += shapes[i].length / fascicles->rest_lengths()[i] / n;
-                row[5] += shapes[i].rate / n;
-                row[6] += shapes[i].curvature / n;
-                angle += shapes[i].angle / n;
-              }
-            if (line)
-              row.push_back(angle);
-            return row;
-          });
+          return make_series_file(context.folder, {"fascicles.csv", "Fascicles: lengths, stretch, velocity, curvature, angle"}, columns,
+                                  [fascicles, line](const Muscle3dSample &sample) {
+                                    const std::vector<Fascicles::Shape> shapes = fascicles->shapes(sample.state());
+                                    const auto                          n      = static_cast<double>(shapes.size());
+                                    std::vector<double> row{sample.t(), 0, shapes.front().length, shapes.front().length, 0, 0, 0};
+                                    double              angle = 0;
+                                    for (std::size_t i = 0; i < shapes.size(); ++i)
+                                      {
+                                        row[1] += shapes[i].length / n;
+                                        row[2] = std::min(row[2], shapes[i].length);
+                                        row[3] = std::max(row[3], shapes[i].length);
+                                        row[4] += shapes[i].length / fascicles->rest_lengths()[i] / n;
+                                        row[5] += shapes[i].rate / n;
+                                        row[6] += shapes[i].curvature / n;
+                                        angle += shapes[i].angle / n;
+                                      }
+                                    if (line)
+                                      row.push_back(angle);
+                                    return row;
+                                  });
         }};
   }
 } // namespace myolines

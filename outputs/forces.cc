@@ -17,14 +17,15 @@ namespace myolines
           for (const std::string &part : parts.names("Apo"))
             columns.push_back(part + " [N]");
           columns.push_back("Volume [m^3]");
-          return make_series_file(context.folder, "force_data-3d.csv", columns,
-                                  [parts, face = context.force_face.value(), along](const Muscle3dSample &sample) {
-                                    std::vector<double> row{sample.t()};
-                                    for (const dealii::Tensor<1, 3> &force : parts.values(sample.face_force(face)))
-                                      row.push_back(force * along);
-                                    row.push_back(sample.body().volume);
-                                    return row;
-                                  });
+          return make_series_file(
+              context.folder, {"force_data-3d.csv", "Force at the measured face, estimated from interior points, by part of the stress"},
+              columns, [parts, face = context.force_face.value(), along](const Muscle3dSample &sample) {
+                std::vector<double> row{sample.t()};
+                for (const dealii::Tensor<1, 3> &force : parts.values(sample.face_force(face)))
+                  row.push_back(force * along);
+                row.push_back(sample.body().volume);
+                return row;
+              });
         });
   }
 } // namespace myolines

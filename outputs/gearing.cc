@@ -15,7 +15,7 @@ namespace myolines
         "gearing", false, SeriesNeeds::velocities_and_line, "gearing.csv: G of (7.2.13) at every row; dynamic systems only.",
         [](const SeriesContext &context) -> std::unique_ptr<SeriesFile> {
           const double fibre_speed = context.fibre.length() * context.system.parameters().muscle().fibre.maximum_strain_rate;
-          return make_series_file(context.folder, "gearing.csv",
+          return make_series_file(context.folder, {"gearing.csv", "Gearing: velocity of the muscle over that of its fibres"},
                                   {"Time [s]", "Mean muscle velocity [m/s]", "Mean fibre velocity [m/s]", "Gearing", "Physiological"},
                                   [fibre_speed](const Muscle3dSample &sample) {
                                     const double muscle = -sample.body().mean_velocity.norm();

@@ -21,13 +21,15 @@ namespace myolines
                                                  "Volume slab [m^3]"};
           const double                   fibre = context.fibre.length();
           const double                   e0    = context.system.parameters().muscle().fibre.maximum_strain_rate;
-          return make_series_file(context.folder, "gearing_info-3d.csv", columns, [fibre, e0](const Muscle3dSample &sample) {
-            const BodyMeasures &body = sample.body();
-            const auto         &v    = body.mean_velocity;
-            return std::vector<double>{sample.t(),      sample.force_face_speed(), v[0],  v[1], v[2],
-                                       v.norm(),        body.mean_strain_rate,     fibre, e0,   fibre * e0 * body.mean_strain_rate,
-                                       body.slab_volume};
-          });
+          return make_series_file(context.folder, {"gearing_info-3d.csv", "Lengths, velocities and strain rates behind the gearing"},
+                                  columns, [fibre, e0](const Muscle3dSample &sample) {
+                                    const BodyMeasures &body = sample.body();
+                                    const auto         &v    = body.mean_velocity;
+                                    return std::vector<double>{
+                                        sample.t(),      sample.force_face_speed(), v[0],  v[1], v[2],
+                                        v.norm(),        body.mean_strain_rate,     fibre, e0,   fibre * e0 * body.mean_strain_rate,
+                                        body.slab_volume};
+                                  });
         });
   }
 } // namespace myolines

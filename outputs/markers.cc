@@ -20,12 +20,13 @@ namespace myolines
               for (const Marker &marker : probe->markers())
                 for (const char *axis : {"_x [m]", "_y [m]", "_z [m]"})
                   columns.push_back(marker.name + axis);
-              return make_series_file(context.folder, "displacements-3d.csv", columns, [probe](const Muscle3dSample &sample) {
-                std::vector<double> row{sample.t()};
-                for (const dealii::Tensor<1, 3> &u : probe->displacements(sample.state()))
-                  row.insert(row.end(), {u[0], u[1], u[2]});
-                return row;
-              });
+              return make_series_file(context.folder, {"displacements-3d.csv", "Displacements of the markers"}, columns,
+                                      [probe](const Muscle3dSample &sample) {
+                                        std::vector<double> row{sample.t()};
+                                        for (const dealii::Tensor<1, 3> &u : probe->displacements(sample.state()))
+                                          row.insert(row.end(), {u[0], u[1], u[2]});
+                                        return row;
+                                      });
             }};
   }
 } // namespace myolines

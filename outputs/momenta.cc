@@ -16,13 +16,14 @@ namespace myolines
                                   {std::pair{"Centre of mass ", " [m]"}, {"Momentum ", " [kg m/s]"}, {"Angular momentum ", " [kg m^2/s]"}})
                                for (const char *axis : {"x", "y", "z"})
                                  columns.push_back(name + std::string(axis) + unit);
-                             return make_series_file(context.folder, "momenta.csv", columns, [](const Muscle3dSample &sample) {
-                               const Momenta       m = measure_momenta(sample.system(), sample.state());
-                               std::vector<double> row{sample.t()};
-                               for (const auto *vector : {&m.centre, &m.momentum, &m.angular_momentum})
-                                 row.insert(row.end(), {(*vector)[0], (*vector)[1], (*vector)[2]});
-                               return row;
-                             });
+                             return make_series_file(context.folder, {"momenta.csv", "Centre of mass, momentum and angular momentum"},
+                                                     columns, [](const Muscle3dSample &sample) {
+                                                       const Momenta       m = measure_momenta(sample.system(), sample.state());
+                                                       std::vector<double> row{sample.t()};
+                                                       for (const auto *vector : {&m.centre, &m.momentum, &m.angular_momentum})
+                                                         row.insert(row.end(), {(*vector)[0], (*vector)[1], (*vector)[2]});
+                                                       return row;
+                                                     });
                            });
   }
 } // namespace myolines

@@ -31,17 +31,18 @@ namespace myolines
           for (const BoundaryFacts &condition : reacting)
             if (along)
               columns.push_back(condition.name + " along the line [N]");
-          return make_series_file(context.folder, "reaction.csv", columns, [along](const Muscle3dSample &sample) {
-            std::vector<double> row{sample.t()};
-            for (const Reaction &reaction : sample.reactions())
-              row.insert(row.end(), {reaction.force[0], reaction.force[1], reaction.force[2]});
-            for (const Reaction &reaction : sample.reactions())
-              row.insert(row.end(), reaction.own.begin(), reaction.own.end());
-            if (along)
-              for (const Reaction &reaction : sample.reactions())
-                row.push_back(reaction.force * *along);
-            return row;
-          });
+          return make_series_file(context.folder, {"reaction.csv", "Forces with which the boundary conditions pull on the body"}, columns,
+                                  [along](const Muscle3dSample &sample) {
+                                    std::vector<double> row{sample.t()};
+                                    for (const Reaction &reaction : sample.reactions())
+                                      row.insert(row.end(), {reaction.force[0], reaction.force[1], reaction.force[2]});
+                                    for (const Reaction &reaction : sample.reactions())
+                                      row.insert(row.end(), reaction.own.begin(), reaction.own.end());
+                                    if (along)
+                                      for (const Reaction &reaction : sample.reactions())
+                                        row.push_back(reaction.force * *along);
+                                    return row;
+                                  });
         });
   }
 } // namespace myolines

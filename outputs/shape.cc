@@ -18,7 +18,8 @@ namespace myolines
           const State  still = context.system.still_state();
           const double rest  = measure_body(context.system, still, SlabRule::quadrature_points).volume;
           return make_series_file(
-              context.folder, "shape.csv", {"Time [s]", "Muscle length [m]", "Width [m]", "Thickness [m]", "Volume ratio"},
+              context.folder, {"shape.csv", "Shape of the belly: length, width, thickness, volume"},
+              {"Time [s]", "Muscle length [m]", "Width [m]", "Thickness [m]", "Volume ratio"},
               [rest, thickness = *thickness](const Muscle3dSample &sample) {
                 const MiddleSize middle = measure_middle(sample.system(), sample.state(), thickness);
                 return std::vector<double>{sample.t(), sample.muscle_length(), middle.width, middle.thickness, sample.body().volume / rest};

@@ -27,7 +27,8 @@ namespace myolines
           for (const double place : places)
             markers.push_back({"place", from + place * span});
           const auto probe = std::make_shared<MarkerProbe>(context.system, markers, "output/series/strain places");
-          return make_series_file(context.folder, "strain.csv", strain_columns(places),
+          return make_series_file(context.folder, {"strain.csv", "Strains and strain rates along the line of action"},
+                                  strain_columns(places),
                                   [probe, places, length = span * line.direction, along = line.direction](const Muscle3dSample &sample) {
                                     const auto parts = [&](const Vector &x) {
                                       std::vector<double> values;

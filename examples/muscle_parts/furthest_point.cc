@@ -12,7 +12,8 @@ namespace myolines
     return switched_series("furthest point", false, SeriesNeeds::nothing, "furthest.csv: the largest displacement of a node.",
                            [](const SeriesContext &context) -> std::unique_ptr<SeriesFile> {
                              return make_series_file(
-                                 context.folder, "furthest.csv", {"Time [s]", "Displacement [m]"}, [](const Muscle3dSample &sample) {
+                                 context.folder, {"furthest.csv", "Largest displacement of a node"}, {"Time [s]", "Displacement [m]"},
+                                 [](const Muscle3dSample &sample) {
                                    const Vector &u      = sample.state().u; // three components of each node, one behind the other
                                    double        square = 0;
                                    for (unsigned int i = 0; i < u.locally_owned_size(); i += 3)

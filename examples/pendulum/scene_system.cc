@@ -15,7 +15,7 @@ namespace myolines
     {
     public:
       explicit AngleFile(const OutputFolder &folder)
-        : csv_(folder, "angle.csv", {"Time [s]", "Angle [degrees]", "Angular velocity [rad/s]"})
+        : csv_(folder, {"angle.csv", "Angle of the pendulum"}, {"Time [s]", "Angle [degrees]", "Angular velocity [rad/s]"})
       {}
 
       void begin(const State &state) override { csv_.row(std::vector<double>{state.t, state.u[0] / degree, state.v[0]}); }

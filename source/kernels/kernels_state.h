@@ -4,6 +4,8 @@
 #include "kernels_step.h"
 #include "kernels_sum_factorisation.h"
 
+#include <myolines/materials/volume_energy.h>
+
 #include <limits>
 
 namespace myolines
@@ -190,16 +192,16 @@ namespace myolines
         x[i] = T(0.);
     }
 
+    VolumeEnergy<T> volume_energy(const int q) const { return {m.volume_form, material(q)[material_bulk]}; }
+
     /// Psi_vol' and Psi_vol'' at a point of dilatation D, or what they are between two states.
     T volumetric_stress(const int q, const T &D) const
     {
-      const T &kappa = material(q)[material_bulk];
-      return m.before == nullptr ? T(0.5) * kappa * (D - T(1.) / D) : VolumetricSecant<T>(kappa, expand(earlier, q), D).value;
+      return m.before == nullptr ? volume_energy(q).stress(D) : volume_energy(q).secant(expand(earlier, q), D).value;
     }
     T volumetric_stiffness(const int q, const T &D) const
     {
-      const T &kappa = material(q)[material_bulk];
-      return m.before == nullptr ? T(0.5) * kappa * (T(1.) + T(1.) / (D * D)) : VolumetricSecant<T>(kappa, expand(earlier, q), D).slope;
+      return m.before == nullptr ? volume_energy(q).stiffness(D) : volume_energy(q).secant(expand(earlier, q), D).slope;
     }
 
     /// Dilatation and pressure of the state at F, see KernelCells::local. False if J <= 0, D <= 0 or NaN in a filled lane.

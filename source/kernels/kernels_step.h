@@ -9,36 +9,6 @@ namespace myolines
 {
   // Forces of two states at a point: what the laws at one state become between the ends of a step.
 
-  /// Of Psi = kappa/4 (D^2 - 2 ln D - 1) between two dilatations: (Psi(D1) - Psi(D0))/(D1 - D0) and its derivative by D1, without
-  /// cancellation. With s = D0 + D1, y = (D1 - D0)/s and ln(D1/D0) = 2 artanh y = 2 y g(y^2) they are
-  ///
-  ///     kappa/4 (s - 4 g/s),   kappa/4 (1 + 4 g/s^2 - 16 y D0 g'/s^3).
-  template <typename T>
-  struct VolumetricSecant
-  {
-    T value, slope;
-
-    MYOLINES_INLINE VolumetricSecant(const T &kappa, const T &D0, const T &D1)
-    {
-      const T s = D0 + D1, y = (D1 - D0) / s, z = y * y;
-      T       g(1. / 17), slope_of_g(8. / 17); // sum z^k/(2k + 1) and its derivative, by Horner's rule
-      for (int k = 7; k >= 1; --k)
-        {
-          g          = g * z + T(1. / (2 * k + 1));
-          slope_of_g = slope_of_g * z + T(double(k) / (2 * k + 1));
-        }
-      g                = g * z + T(1.);
-      const auto small = z < T(0.01);              // the next term of the series is below 1e-19 then
-      const T    x     = select(small, T(0.5), y); // artanh x / x where the series is long; anything harmless elsewhere
-      const T    far   = T(0.5) * log((T(1.) + x) / (T(1.) - x)) / x;
-      g                = select(small, g, far);
-      slope_of_g       = select(small, slope_of_g, T(0.5) * (T(1.) / (T(1.) - x * x) - far) / (x * x));
-      const T inverse  = T(1.) / s;
-      value            = T(0.25) * kappa * (s - T(4.) * g * inverse);
-      slope            = T(0.25) * kappa * (T(1.) + inverse * inverse * (T(4.) * g - T(16.) * y * D0 * slope_of_g * inverse));
-    }
-  };
-
   /// A point during a step from F_0 to F_1, with C = F^T F. Stresses S belong to P = F_m S, F_m = (F_0 + F_1)/2, so that
   /// P : (F_1 - F_0) = S : (C_1 - C_0)/2, and moments of the forces vanish as S is symmetric.
   ///

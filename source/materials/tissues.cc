@@ -138,7 +138,7 @@ namespace myolines
     Schema schema(kind.doc);
     schema.number("density", kind.defaults.density, "kg/m^3", Range::positive(), "Mass per reference volume.")
         .number("bulk modulus", kind.defaults.bulk_modulus, "Pa", Range::positive(),
-                "kappa of Psi_vol = kappa/4 (D^2 - 2 ln D - 1); of the cells where the base material is mixed.")
+                "kappa of the volumetric energy; of the cells where the base material is mixed.")
         .section("fibre", fibre_schema(kind))
         .section("base", base_schema(kind));
     if (kind.id == muscle_id)
@@ -152,7 +152,7 @@ namespace myolines
     const TissueParameters usual;
     return Schema("The sum of its laws and of the volumetric energy.")
         .number("density", usual.density, "kg/m^3", Range::positive(), "Mass per reference volume.")
-        .number("bulk modulus", usual.bulk_modulus, "Pa", Range::positive(), "kappa of Psi_vol = kappa/4 (D^2 - 2 ln D - 1).")
+        .number("bulk modulus", usual.bulk_modulus, "Pa", Range::positive(), "kappa of the volumetric energy.")
         .optional_text("direction", "Fibre direction \"x y z\" at rest, normalised; default: that of system/fibres and of fields.")
         .section("laws", laws_schema());
   }

@@ -34,7 +34,8 @@ namespace myolines
           for (unsigned int i = 0; i < 81; ++i)
             c[i] += weight_of(part, p) * A[3 * (i / 27) + i / 3 % 3][3 * (i / 9 % 3) + i % 3];
         }
-      const double D = p.dilatation, stiffness = 0.5 * p.material[material_bulk] * (1 + 1 / (D * D)) * p.J * p.J;
+      const VolumeEnergy<double> volume(parameters.volume_form, p.material[material_bulk]);
+      const double               stiffness = volume.stiffness(p.dilatation) * p.J * p.J;
       for (unsigned int i = 0; i < 81; ++i)
         {
           const unsigned int a = i / 27, b = i / 9 % 3, A = i / 3 % 3, B = i % 3;

@@ -32,15 +32,18 @@ namespace myolines
     struct Totals
     {
       double volume = 0, mass = 0, muscle = 0, stress = 0; ///< [m^3], [kg], of muscle [m^3], of its maximum isometric stress [N m]
+      std::vector<double> tissues;                         ///< volumes by material id, from 1 [m^3]
     };
 
     Totals add_up(const Muscle3dSystem &system)
     {
       const State still = system.still_state();
       Totals      t;
+      t.tissues.resize(system.parameters().tissue_names.size());
       PointStates(system, still).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
         t.volume += p.JxW;
         t.mass += p.JxW * p.material[material_density];
+        t.tissues.at(p.material_id - 1) += p.JxW;
         if (p.material_id == muscle_id)
           {
             t.muscle += p.JxW;
@@ -49,6 +52,8 @@ namespace myolines
       });
       for (double *x : {&t.volume, &t.mass, &t.muscle, &t.stress})
         *x = dealii::Utilities::MPI::sum(*x, system.discretisation().communicator);
+      for (double &x : t.tissues)
+        x = dealii::Utilities::MPI::sum(x, system.discretisation().communicator);
       return t;
     }
   } // namespace
@@ -64,7 +69,11 @@ namespace myolines
     const Totals t = add_up(system);
     if (const FreeMotions free = free_motions(system.parameters(), system.discretisation()); free.any())
       add("free: nothing holds the body against ", free.words());
-    add("body: ", t.volume, " m^3, ", t.mass, " kg; muscle: ", t.muscle, " m^3");
+    std::ostringstream tissues;
+    for (std::size_t i = 0; i < t.tissues.size(); ++i)
+      if (t.tissues[i] > 0)
+        tissues << "; " << system.parameters().tissue_names[i] << ": " << t.tissues[i] << " m^3";
+    add("body: ", t.volume, " m^3, ", t.mass, " kg", tissues.str());
     if (!(t.muscle > 0))
       return lines;
 

@@ -12,6 +12,7 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iomanip>
 #include <sstream>
 
@@ -88,8 +89,9 @@ namespace myolines
         const dealii::FE_DGQ<3> at_points(std::max(1u, space_.degree() - 1));
         point_scalars_.distribute_dofs(dealii::FESystem<3>(at_points, 1));
         point_vectors_.distribute_dofs(dealii::FESystem<3>(at_points, 3));
+        const std::vector<PointField> of_laws = law_fields(system.parameters());
         for (const std::string &name : fields)
-          if (const PointField *field = find_point_field(name))
+          if (const PointField *field = find_point_field(name, of_laws))
             {
               const dealii::DoFHandler<3> &target = field->n_components == 3 ? point_vectors_ : point_scalars_;
               add(name, field->n_components, target, project(system, state, field->value, target));
@@ -209,6 +211,14 @@ namespace myolines
     return names;
   }
 
+  std::vector<std::string> field_names(const Muscle3dParameters &parameters)
+  {
+    std::vector<std::string> names = field_names();
+    for (const PointField &field : law_fields(parameters))
+      names.push_back(field.name);
+    return names;
+  }
+
   bool is_vector_field(const std::string &field)
   {
     const PointField *point_field = find_point_field(field);
@@ -220,13 +230,17 @@ namespace myolines
   {
     if (const PointField *point_field = find_point_field(field))
       return point_field->unit;
+    if (field.rfind(stress_of_law, 0) == 0)
+      return "Pa";
     return field == "displacement" ? "m" : field == "velocity" ? "m/s" : "";
   }
 
   std::string field_label(const std::string &field)
   {
     std::string label = field;
-    std::replace(label.begin(), label.end(), ' ', '_');
+    for (char &c : label)
+      if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.')
+        c = '_';
     return label;
   }
 

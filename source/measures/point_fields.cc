@@ -176,6 +176,17 @@ namespace myolines
     return fields;
   }
 
+  std::vector<PointField> law_fields(const Muscle3dParameters &parameters)
+  {
+    std::vector<PointField> fields;
+    for (const LawPart &law : parameters.law_parts())
+      fields.push_back({stress_of_law + law.name, "Pa", 1,
+                        [place = fields.size()](const Muscle3dParameters &m, const Activation &a, const PointState &p) {
+                          return Vector3({cauchy(stress_parts(m, a, p).laws[place], p).norm(), 0, 0});
+                        }});
+    return fields;
+  }
+
   const std::vector<PrincipalField> &principal_fields()
   {
     static const std::vector<PrincipalField> fields = [] {
@@ -207,6 +218,11 @@ namespace myolines
     return direction[greatest] < 0 ? -direction : direction;
   }
 
-  const PointField     *find_point_field(const std::string &name) { return find_named(point_fields(), name); }
+  const PointField *find_point_field(const std::string &name, const std::vector<PointField> &more)
+  {
+    const PointField *found = find_named(point_fields(), name);
+    return found != nullptr ? found : find_named(more, name);
+  }
+
   const PrincipalField *find_principal_field(const std::string &name) { return find_named(principal_fields(), name); }
 } // namespace myolines

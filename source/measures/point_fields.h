@@ -20,6 +20,11 @@ namespace myolines
   };
 
   const std::vector<PointField> &point_fields();
+
+  constexpr const char *stress_of_law = "stress of "; ///< before the name of a LawPart: that field
+  /// Of each law of the tissues of a body, the size of its Cauchy stress [Pa].
+  std::vector<PointField> law_fields(const Muscle3dParameters &parameters);
+
   /// A principal direction of a symmetric tensor that lives at quadrature points. The tensor is projected, and then has directions: those
   /// of the points have no sense, so that their mean would mean nothing.
   struct PrincipalField
@@ -33,7 +38,7 @@ namespace myolines
   /// direction is the principal one.
   Vector3 principal_direction(const dealii::SymmetricTensor<2, 3> &tensor, unsigned int which);
 
-  /// nullptr if there is none of that name.
-  const PointField     *find_point_field(const std::string &name);
+  /// nullptr if there is none of that name, here or among @p more, which is borrowed.
+  const PointField     *find_point_field(const std::string &name, const std::vector<PointField> &more = {});
   const PrincipalField *find_principal_field(const std::string &name);
 } // namespace myolines

@@ -94,9 +94,10 @@ namespace myolines
         powers.dissipation += power * (curves::force_velocity(p.isochoric_strain_rate, &curves).value - 1);
     }
 
-    /// Of the laws at a point: what they store, and what their stress does beyond that. The stress at rest of laws without an energy works
-    /// as the active one does; what rates add is dissipated.
-    void add_laws(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, Powers &powers, double &stored)
+    /// Of the laws at a point: what they store, as law_parts(), and what their stress does beyond that. The stress at rest of laws without
+    /// an energy works as the active one does; what rates add is dissipated.
+    void add_laws(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p, Powers &powers,
+                  std::vector<double> &stored)
     {
       const auto &tissue = parameters.tissue(p.material_id);
       if (tissue.laws.empty())
@@ -112,14 +113,16 @@ namespace myolines
           sum += P.entry[i] * p.F_rate[i / 3][i % 3];
         return sum;
       };
+      auto to = stored.begin() + parameters.first_law(p.material_id);
       for (const TissuePart &part : tissue.laws)
         {
           const double       weight = p.JxW * weight_of(part, p);
           const Mat3<double> P = part.law->stress(moving), P_still = part.law->stress(still);
           if (const std::optional<double> energy = part.law->energy(still))
-            stored += weight * *energy;
+            *to += weight * *energy;
           else
             powers.active_power -= weight * power(P_still);
+          ++to;
           powers.dissipation += weight * power(P - P_still);
         }
     }
@@ -145,7 +148,7 @@ namespace myolines
       const curves::FibreCurves curves   = parameters.fibre_curves();
       const double             *material = p.material.data();
       const double              lam = p.isochoric_stretch, I1 = std::pow(p.J, -2. / 3) * p.F.norm_square(), D = p.dilatation;
-      m.stored_volumetric += p.JxW * material[material_bulk] / 4 * (D * D - 2 * std::log(D) - 1);
+      m.stored_volumetric += VolumeEnergy<double>(parameters.volume_form, p.JxW * material[material_bulk]).energy(D);
       m.stored_base += p.JxW * Yeoh<>(material + material_yeoh).energy_of(I1);
       m.stored_passive += p.JxW * material[material_passive] * curves::passive_energy(lam, &curves);
       m.stored_tendinous += p.JxW * material[material_tendon] * curves::tendon_energy(lam, &curves);
@@ -153,7 +156,7 @@ namespace myolines
         m.kinetic += p.JxW * material[material_density] / 2 * p.velocity.norm_square();
       if (!activation.zero())
         add_active_powers(parameters, activation, p, m);
-      add_laws(parameters, activation, p, m, m.stored_laws);
+      add_laws(parameters, activation, p, m, m.stored_by_law);
 
       const Matrix3        gradient = p.F - Matrix3(dealii::unit_symmetric_tensor<3>());
       const Parts<Matrix3> P        = stress_parts(parameters, activation, p);
@@ -165,9 +168,11 @@ namespace myolines
     /// Sums over all ranks.
     void reduce(BodyMeasures &m, const MPI_Comm communicator)
     {
-      for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.stored_tendinous, &m.stored_laws,
+      for (double *x : {&m.volume, &m.kinetic, &m.stored_volumetric, &m.stored_base, &m.stored_passive, &m.stored_tendinous,
                         &m.active_power, &m.dissipation, &m.l2_displacement, &m.l2_pressure})
         *x = dealii::Utilities::MPI::sum(*x, communicator);
+      for (double &x : m.stored_by_law)
+        m.stored_laws += x = dealii::Utilities::MPI::sum(x, communicator);
       m.work_density.for_each([&](double &x) { x = dealii::Utilities::MPI::sum(x, communicator); });
       m.min_jacobian = dealii::Utilities::MPI::min(m.min_jacobian, communicator);
       m.max_jacobian = dealii::Utilities::MPI::max(m.max_jacobian, communicator);
@@ -180,6 +185,7 @@ namespace myolines
     const Activation          activation = system.activation(state.t, side);
     SlabSums                  slab(system, rule);
     BodyMeasures              m;
+    m.stored_by_law.resize(parameters.law_parts().size());
     m.min_jacobian = std::numeric_limits<double>::max();
     m.max_jacobian = std::numeric_limits<double>::lowest();
 
@@ -193,7 +199,7 @@ namespace myolines
       if (p.material_id == muscle_id)
         slab.add(cell, q, p);
     });
-    m.work_density.laws.resize(parameters.law_parts().size()); // of ranks without cells, too
+    m.work_density.laws.resize(m.stored_by_law.size()); // of ranks without cells, too
     reduce(m, system.discretisation().communicator);
     slab.means(m, system.discretisation().communicator);
 
@@ -211,7 +217,7 @@ namespace myolines
     const bool       active     = !activation.zero();
     if (active || system.parameters().any_laws())
       {
-        double stored = 0;
+        std::vector<double> stored(system.parameters().law_parts().size());
         PointStates(system, state).for_each([&](const NodeSpace::Cell &, int, const PointState &p) {
           if (active)
             add_active_powers(system.parameters(), activation, p, powers);

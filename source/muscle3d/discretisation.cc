@@ -95,6 +95,7 @@ namespace myolines
     model.softened      = false;
     model.keep_gradient = false;
     model.volume_limit  = 100; // measured, see doc/decisions/kept-pressures.md
+    model.volume_form   = parameters.volume_form;
     model.curves        = parameters.fibre_curves();
     model.before        = nullptr;
     return model;

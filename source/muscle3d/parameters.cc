@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -21,7 +22,11 @@ namespace myolines
     Schema tissues_schema()
     {
       Schema tissues("Materials of the body.");
-      tissues.optional_section("curves", curves_schema());
+      tissues
+          .choice("volumetric energy", volume_form_names[0], {std::begin(volume_form_names), std::end(volume_form_names)},
+                  "Psi_vol of the dilatation D, of all tissues: thesis kappa/4 (D^2 - 2 ln D - 1), quadratic kappa/2 (D - 1)^2, "
+                  "logarithmic kappa/2 (ln D)^2, which is not convex where D > e.")
+          .optional_section("curves", curves_schema());
       for (const TissueKind &kind : tissue_kinds())
         if (kind.id == muscle_id)
           tissues.section(kind.name, tissue_schema(kind));
@@ -138,6 +143,8 @@ namespace myolines
             of_body.push_back(p.tissue_names[id - 1]);
           }
       p.tissues.clear();
+      const auto form = std::find(std::begin(volume_form_names), std::end(volume_form_names), lists.text("volumetric energy"));
+      p.volume_form   = static_cast<VolumeForm>(form - std::begin(volume_form_names));
       if (lists.has("curves"))
         p.curves = read_curves(lists.section("curves"));
       const Node                 &fibres = system.section("fibres");
@@ -212,6 +219,15 @@ namespace myolines
       for (const TissuePart &part : tissue.laws)
         parts.push_back({id, &part, tissue_names[id - 1] + " " + part.name});
     return parts;
+  }
+
+  std::size_t Muscle3dParameters::first_law(const unsigned int material_id) const
+  {
+    std::size_t before = 0;
+    for (const auto &[id, tissue] : tissues)
+      if (id < material_id)
+        before += tissue.laws.size();
+    return before;
   }
 
   bool Muscle3dParameters::viscous() const

@@ -52,7 +52,8 @@ namespace myolines
                          : !p.dynamic                       ? "quasi-static: sV = 1"
                          : !p.muscle().fibre.force_velocity ? "switched off for the tissue"
                                                             : "nothing is active"));
-    lines.push_back(line("passive fibres and base material", true, "always"));
+    const bool printed = p.has_muscle || p.tissues.count(aponeurosis_id) + p.tissues.count(tendon_id) > 0;
+    lines.push_back(line("passive fibres and base material", printed, printed ? "always" : "all cells are of tissues of the scene's own"));
     for (const LawPart &law : p.law_parts())
       lines.push_back(
           line(law.name, true, law.part->law->kind.name + (law.part->law->kind.rates == Rates::none ? "" : ", of strain rates")));

@@ -18,10 +18,10 @@ namespace myolines
     public:
       using Values = std::function<std::vector<double>(const State &)>;
 
-      Table(const double interval, const std::string &file, std::vector<std::string> columns, Values values, const OutputFolder &folder)
-        : DenseOutput(multiples_of(interval), "end of " + file, folder, true)
+      Table(const double interval, const TableName &name, std::vector<std::string> columns, Values values, const OutputFolder &folder)
+        : DenseOutput(multiples_of(interval), "end of " + name.file, folder, true)
         , values_(std::move(values))
-        , csv_(folder, file, with_time(std::move(columns)))
+        , csv_(folder, name, with_time(std::move(columns)))
       {}
 
       void save(Archive &archive) const override
@@ -65,8 +65,8 @@ namespace myolines
       for (unsigned int i = 1; i <= system.parameters().n_elements; ++i)
         columns.push_back("stretch " + std::to_string(i));
       return std::make_unique<Table>(
-          node.number("interval"), "stretches.csv", columns, [&system](const State &state) { return system.element_stretches(state.u); },
-          folder);
+          node.number("interval"), TableName("stretches.csv", "Stretches along the muscle"), columns,
+          [&system](const State &state) { return system.element_stretches(state.u); }, folder);
     }
 
     /// All equilibria of a chain, at the start of a run.
@@ -138,7 +138,7 @@ namespace myolines
     std::vector<std::unique_ptr<Observer>> observers;
     if (system.parameters().tendon)
       observers.push_back(std::make_unique<Table>(
-          output.section("series").number("interval"), "muscle_tendon.csv",
+          output.section("series").number("interval"), TableName("muscle_tendon.csv", "Muscle and tendon: lengths, velocities, forces"),
           std::vector<std::string>{"excitation", "activation", "muscle stretch", "muscle strain rate", "tendon strain", "tendon force/F0"},
           [&system](const State &state) { return muscle_and_tendon(system, state); }, folder));
     if (output.has("stretches"))

@@ -115,7 +115,7 @@ namespace myolines
     public:
       Fields(const scene::Node &fields, const Muscle3dSystem &system, const OutputFolder &folder, WorkLedger &ledger)
         : PeriodicOutput(fields.integer("every"), read_instants(fields))
-        , output_{system, read_names(fields, field_names(), "field"), folder.path}
+        , output_{system, read_names(fields, field_names(system.parameters()), "field"), folder.path}
         , memory_("fields, " + fields.text("format"))
         , ledger_(ledger)
       {
@@ -170,7 +170,9 @@ namespace myolines
     scene::Schema fields("Fields for ParaView.");
     fields.integer("every", 1, scene::Range::closed(1, 1e9), "At the start, after every so many accepted steps, and at the end.")
         .optional_text("at", "Times [s] separated by spaces at which to write instead: steps end there, and the start may be one.")
-        .text("what", "displacement", "Names separated by commas, of: " + join(field_names()) + ".")
+        .text("what", "displacement",
+              "Names separated by commas, of: " + join(field_names()) +
+                  "; and of each law of a tissue its stress, for example \"stress of myocardium wall\".")
         .choice(
             "format", "vtu", {"vtu", "hdf5"},
             "vtu: fields-NNNN.vtu with high-order cells, a file for each rank, listed in fields.pvd; hdf5: fields-NNNN.h5, one file for "

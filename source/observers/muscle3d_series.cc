@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/observers/muscle3d_series.h>
-#include <myolines/output/csv_file.h>
 
 namespace myolines
 {
@@ -34,7 +33,7 @@ namespace myolines
     class FunctionFile : public SeriesFile
     {
     public:
-      FunctionFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns,
+      FunctionFile(const OutputFolder &folder, const TableName &name, const std::vector<std::string> &columns,
                    std::function<std::vector<double>(const Muscle3dSample &)> values)
         : csv_(folder, name, columns)
         , values_(std::move(values))
@@ -69,7 +68,7 @@ namespace myolines
     }
   } // namespace
 
-  std::unique_ptr<SeriesFile> make_series_file(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns,
+  std::unique_ptr<SeriesFile> make_series_file(const OutputFolder &folder, const TableName &name, const std::vector<std::string> &columns,
                                                std::function<std::vector<double>(const Muscle3dSample &)> values)
   {
     return std::make_unique<FunctionFile>(folder, name, columns, std::move(values));

@@ -25,7 +25,7 @@ namespace myolines
         : PeriodicOutput(every)
         , system_(system)
         , with_support_(system.parameters().support != nullptr)
-        , csv_(folder, "trajectory.csv", columns(with_support_))
+        , csv_(folder, {"trajectory.csv", "Motion of the mass"}, columns(with_support_))
       {}
 
       void save(Archive &archive) const override { csv_.save(archive); }

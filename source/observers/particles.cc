@@ -15,7 +15,7 @@ namespace myolines
       Trajectories(const ParticleSystem &system, const unsigned int every, const OutputFolder &folder)
         : PeriodicOutput(every)
         , system_(system)
-        , csv_(folder, "trajectory.csv", columns(system))
+        , csv_(folder, {"trajectory.csv", "Motion of the masses"}, columns(system))
       {}
 
       void save(Archive &archive) const override { csv_.save(archive); }

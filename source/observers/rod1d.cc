@@ -48,13 +48,14 @@ namespace myolines
         , system_(system)
         , places_(places)
         , strain_places_(read_strain_places(series))
-        , trace_(folder, "trace.csv", with_time(trace_columns(places)))
-        , reaction_(folder, "reaction.csv", {"Time [s]", "moving end x [N]", "fixed end x [N]"})
+        , trace_(folder, {"trace.csv", "Displacements and velocities at places of the rod"}, with_time(trace_columns(places)))
+        , reaction_(folder, {"reaction.csv", "Forces of the supports"}, {"Time [s]", "moving end x [N]", "fixed end x [N]"})
       {
         if (!strain_places_.empty())
-          strain_.emplace(folder, "strain.csv", strain_columns(strain_places_));
+          strain_.emplace(folder, TableName("strain.csv", "Strains and strain rates of the rod"), strain_columns(strain_places_));
         if (series.boolean("energy"))
-          energy_.emplace(folder, "energy.csv", std::vector<std::string>{"Time [s]", "Kinetic [J]", "Stored [J]", "Total [J]"});
+          energy_.emplace(folder, TableName("energy.csv", "Energies of the rod"),
+                          std::vector<std::string>{"Time [s]", "Kinetic [J]", "Stored [J]", "Total [J]"});
       }
 
       void save(Archive &archive) const override
@@ -108,7 +109,7 @@ namespace myolines
       NodalStates(const Rod1dSystem &system, const std::vector<double> &times, const OutputFolder &folder)
         : DenseOutput(instants(times), "end of nodal_states.csv", folder, true)
         , system_(system)
-        , csv_(folder, "nodal_states.csv", {"Time [s]", "X [m]", "u [m]", "v [m/s]"})
+        , csv_(folder, {"nodal_states.csv", "Displacements and velocities of the nodes"}, {"Time [s]", "X [m]", "u [m]", "v [m/s]"})
       {}
 
       void save(Archive &archive) const override

@@ -52,12 +52,14 @@ namespace myolines
     const std::string mend      = "put it back, or run the scene from its start";
   } // namespace
 
-  CsvFile::CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns)
+  CsvFile::CsvFile(const OutputFolder &folder, const TableName &name, const std::vector<std::string> &columns)
     : folder_(folder)
-    , name_(name)
-    , path_(folder.file(name))
+    , name_(name.file)
+    , path_(folder.file(name.file))
     , columns_(columns)
   {
+    if (!name.title.empty())
+      folder.entitle(name.file, name.title);
     if (folder.saved != nullptr && folder.saved->has_numbers(bytes_of + name))
       on_writing_rank(path_.string(), as_it_was, mend, [&] { go_on(*folder.saved, columns); });
     else

@@ -100,7 +100,7 @@ namespace myolines
              const OutputFolder &folder, const bool inertia)
         : DenseOutput(multiples_of(interval), "end of motion.csv", folder, inertia)
         , values_(std::move(values))
-        , csv_(folder, "motion.csv", columns)
+        , csv_(folder, {"motion.csv", "Motion at equal intervals"}, columns)
       {}
 
       void save(Archive &archive) const override

@@ -118,6 +118,7 @@ namespace myolines
     manifest["plug-ins"]        = Json(record.plugins);
     manifest["inputs"]          = Json(record.inputs); // with their CRC-32
     manifest["files"]           = folder.noted();
+    manifest["titles"]          = Json(folder.titles());
     const std::string text      = json_text(manifest);
     try
       {
@@ -149,6 +150,10 @@ namespace myolines
     read.exit_reason = manifest["exit reason"];
     if (manifest.contains("scene") && manifest["scene"].is_string())
       read.scene = manifest["scene"];
+    if (manifest.contains("titles"))
+      for (const auto &[table, title] : manifest["titles"].items())
+        if (title.is_string())
+          read.titles[table] = title;
     read.lists_files = manifest.contains("files");
     if (!read.lists_files)
       return read;

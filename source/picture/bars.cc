@@ -38,17 +38,6 @@ namespace myolines::picture
           {{x, y, before_all}}, {{x + width, y, before_all}}, {{x + width, y + height, before_all}}, {{x, y + height, before_all}}};
       return facet;
     }
-
-    void add_tissues(const double x, const double y, const double width, Sheet &sheet)
-    {
-      for (int tissue = 0; tissue < 3; ++tissue)
-        {
-          Facet each = box(x, y + 30. * tissue, width, 20);
-          each.values.assign(4, (tissue + 0.5) / 3);
-          sheet.boxes.push_back(each);
-          sheet.words.push_back({x + width + 8, y + 30. * tissue + 15, tissue_names[tissue], 14, Words::Anchor::left});
-        }
-    }
   } // namespace
 
   ColourMap map_for(const std::string &field, const std::pair<double, double> &range)
@@ -63,7 +52,7 @@ namespace myolines::picture
   std::pair<double, double> drawn_range(const std::string &field, const std::pair<double, double> &range)
   {
     if (field == "tissue")
-      return {0.5, 3.5};
+      return {0.5, most_tissues + 0.5};
     if (map_for(field, range) == ColourMap::diverging)
       {
         const double most = std::max(-range.first, range.second);
@@ -87,14 +76,21 @@ namespace myolines::picture
     return short_text(length * factor) + " " + unit;
   }
 
+  void add_tissue_key(const std::map<int, std::string> &tissues, const double x, double y, const double width, Sheet &sheet)
+  {
+    for (const auto &[number, name] : tissues)
+      {
+        Facet each = box(x, y, width, 20);
+        each.values.assign(4, (number - 0.5) / most_tissues);
+        sheet.boxes.push_back(each);
+        sheet.words.push_back({x + width + 8, y + 15, name, 14, Words::Anchor::left});
+        y += 30;
+      }
+  }
+
   void add_colour_bar(const std::string &field, const std::pair<double, double> &range, const double x, const double y, const double width,
                       const double height, Sheet &sheet)
   {
-    if (sheet.map == ColourMap::tissues)
-      {
-        add_tissues(x, y, width, sheet);
-        return;
-      }
     const auto component =
         field.size() > 2 && field[field.size() - 2] == ' ' && field_unit(field).empty() ? field.size() - 2 : field.size();
     const auto [unit, factor] = prefixed(field_unit(field.substr(0, component)), std::max(std::abs(range.first), std::abs(range.second)));

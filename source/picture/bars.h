@@ -3,11 +3,10 @@
 
 #include <myolines/picture/figure.h>
 
+#include <map>
+
 namespace myolines::picture
 {
-  /// Names of the tissues by number, from 1 on.
-  inline constexpr const char *tissue_names[] = {"muscle", "aponeurosis", "tendon"};
-
   /// The map that suits a field with values in a range.
   ColourMap map_for(const std::string &field, const std::pair<double, double> &range);
 
@@ -23,4 +22,7 @@ namespace myolines::picture
   /// The colour bar of @p field with the corner (x, y), so wide and high [px], with numbers to its right and the name above.
   void add_colour_bar(const std::string &field, const std::pair<double, double> &range, double x, double y, double width, double height,
                       Sheet &sheet);
+
+  /// What stands in its place for tissues: a box and a name for each number of @p tissues.
+  void add_tissue_key(const std::map<int, std::string> &tissues, double x, double y, double width, Sheet &sheet);
 } // namespace myolines::picture

@@ -2,10 +2,14 @@
 #include "hdf5_fields.h"
 
 #include <myolines/base/error.h>
+#include <myolines/body/cell_id.h>
+#include <myolines/materials/tissue.h>
 #include <myolines/meshes/field_grid.h>
 #include <myolines/picture/body.h>
+#include <myolines/picture/colours.h>
 #include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
+#include <myolines/scene/scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -146,12 +150,26 @@ namespace myolines::picture
 
   bool Body::is_on_the_mesh_of(const Body &other) const { return rest == other.rest && cells == other.cells; }
 
+  static_assert(most_tissues == CellId::n_tissues - 1, "a colour for each");
+
+  std::map<int, std::string> Body::tissues_present() const
+  {
+    std::map<int, std::string> present;
+    if (const Field *field = find("tissue"))
+      for (const double value : field->values)
+        if (const long number = std::lround(value); std::isfinite(value) && number >= 1 && number <= most_tissues)
+          present[static_cast<int>(number)] =
+              static_cast<std::size_t>(number) <= tissues.size() ? tissues[number - 1] : "tissue " + std::to_string(number);
+    return present;
+  }
+
   bool RunFields::are_in(const std::filesystem::path &folder)
   {
     return std::filesystem::exists(folder / "fields.pvd") || std::filesystem::exists(folder / "fields.xdmf");
   }
 
   RunFields::RunFields(const std::filesystem::path &folder)
+    : tissues_(printed_tissues())
   {
     if (!std::filesystem::is_directory(folder))
       throw InputError(InputProblem{folder.string(), "there is no such folder", "the output folder of a run", ""});
@@ -159,6 +177,9 @@ namespace myolines::picture
       throw InputError(InputProblem{folder.string(), "the run wrote no fields",
                                     "fields.pvd or fields.xdmf, which runs of three-dimensional muscles write",
                                     "run it with --set \"output/fields/what=displacement, stretch, fibre direction\""});
+    if (const std::filesystem::path scene = folder / "scene.resolved.xml"; std::filesystem::exists(scene))
+      for (const std::string &own : scene::peek_lists(scene, "system/tissues/own"))
+        tissues_.push_back(own);
     hdf5_                            = !std::filesystem::exists(folder / "fields.pvd");
     const std::filesystem::path list = folder / (hdf5_ ? "fields.xdmf" : "fields.pvd");
     const std::string           text = scene::read_input_bytes(list);
@@ -194,7 +215,8 @@ namespace myolines::picture
   {
     const Instant &instant = instants_.at(i);
     Body           body;
-    body.t = instant.t;
+    body.t       = instant.t;
+    body.tissues = tissues_;
     if (hdf5_)
       append(read_hdf5_fields(instant.files.at(0), instant.files.at(1)), body);
     else if (instant.files.front().extension() == ".pvtu")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/materials/tissue.h>
 #include <myolines/picture/fibre_lines.h>
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace myolines::picture
   namespace
   {
     constexpr const char *fibre_field = "fibre direction";
-    constexpr double      muscle      = 1; // number of the tissue
 
     double volume(const std::array<Vec, 3> &d) { return cross_product_3d(d[0], d[1]) * d[2]; }
 
@@ -35,14 +35,15 @@ namespace myolines::picture
         , fibre_(body.find(fibre_field))
       {}
 
-      /// Unit; nothing outside of the muscle.
+      /// Unit; nothing outside of the body, and in aponeurosis and tendon, which are no fibres of a muscle.
       std::optional<Vec> at(const Vec &rest) const
       {
         const auto found = locator_.find(rest);
         if (!found)
           return std::nullopt;
-        const Body::Cell &cell = body_.cells[found->cell];
-        if (tissue_ != nullptr && std::abs(value(*tissue_, 0, cell, found->xi) - muscle) > 0.5)
+        const Body::Cell &cell   = body_.cells[found->cell];
+        const long        tissue = tissue_ == nullptr ? muscle_id : std::lround(value(*tissue_, 0, cell, found->xi));
+        if (tissue == aponeurosis_id || tissue == tendon_id)
           return std::nullopt;
         Vec now, in_cell;
         for (unsigned int c = 0; c < 3; ++c)
@@ -103,7 +104,7 @@ namespace myolines::picture
       return false;
     }
 
-    /// Centres of cells in the muscle, not more than some thousands.
+    /// Centres of cells that have fibres, not more than some thousands.
     std::vector<Vec> seeds(const Body &body, const Directions &directions)
     {
       const std::size_t stride = body.cells.size() / 4000 + 1;

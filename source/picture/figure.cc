@@ -277,7 +277,15 @@ namespace myolines::picture
         sheet.title += (sheet.title.empty() ? "" : "; ") + panels[p].title;
       }
     sheet.title = "The body coloured by " + style.field + ": " + sheet.title;
-    add_colour_bar(style.field, range, sheet.width - Layout::bar + 24, 64, 22, std::min(300., sheet.height - 150.), sheet);
+    if (sheet.map == ColourMap::tissues)
+      {
+        std::map<int, std::string> present;
+        for (const Panel &panel : panels)
+          present.merge(panel.body->tissues_present());
+        add_tissue_key(present, sheet.width - Layout::bar + 24, 64, 22, sheet);
+      }
+    else
+      add_colour_bar(style.field, range, sheet.width - Layout::bar + 24, 64, 22, std::min(300., sheet.height - 150.), sheet);
     add_length_bar(frame, layout, sheet);
     return sheet;
   }

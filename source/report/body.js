@@ -77,7 +77,7 @@
   function colours(numbers, field, target) {
     const map = maps[field.map], low = field.low, high = field.high;
     const most = Math.max(-low, high), from = field.map === 'diverging' ? -most : field.map === 'tissues' ? 0.5 : low;
-    const to = field.map === 'diverging' ? most : field.map === 'tissues' ? 3.5 : high;
+    const to = field.map === 'diverging' ? most : field.map === 'tissues' ? body['most tissues'] + 0.5 : high;
     for (let i = 0; i < numbers.length; ++i) {
       const value = low + numbers[i] / 65534 * (high - low), part = to > from ? Math.min(1, Math.max(0, (value - from) / (to - from))) : 0.5;
       const first = Math.min(map.length - 2, Math.floor(part * (map.length - 1))), rest = part * (map.length - 1) - first;
@@ -140,7 +140,13 @@
   const veil = element('input', { type: 'checkbox', checked: state.veil }), shape = element('input', { type: 'checkbox', checked: true });
   const key = element('div', { className: 'key' }), ramp = element('span', { className: 'ramp' });
   const lowest = element('span', {}), highest = element('span', {}), pointed = element('output', { id: 'pointed', className: 'hint' });
-  key.append(lowest, ramp, highest);
+  function swatch(tissue) {
+    const box = element('span', { className: 'swatch' });
+    box.style.background = tissue.colour;
+    const part = element('span', {});
+    part.append(box, ' ' + tissue.name + ' ');
+    return part;
+  }
   const controls = element('div', { className: 'controls' });
   let playing = 0;
   const play = report.button('Play', () => {
@@ -168,7 +174,7 @@
     lowest.textContent = digits(diverging ? -most : field.low);
     highest.textContent = digits(diverging ? most : field.high) + ' ' + (field.unit || '');
     ramp.style.background = 'linear-gradient(to right, ' + body.maps[field.map].join(',') + ')';
-    key.hidden = field.map === 'tissues';
+    if (field.map === 'tissues') key.replaceChildren(...body.tissues.map(swatch)); else key.replaceChildren(lowest, ramp, highest);
   }
   function show(instant) { state.instant = instant; update(); }
   choice.addEventListener('change', () => { state.field = Number(choice.value); update(); });
@@ -209,7 +215,8 @@
     const distance = corner => hit.point.distanceToSquared(new THREE.Vector3().fromBufferAttribute(position, corner));
     const nearest = corners.reduce((a, b) => distance(a) <= distance(b) ? a : b), number = values[state.field].points[state.instant][nearest];
     const value = field.low + number / 65534 * (field.high - field.low);
-    pointed.textContent = number === 65535 ? field.name + ' is not defined here' : field.name + ' = ' + digits(value) + ' ' + (field.unit || '');
+    const tissue = field.map === 'tissues' && body.tissues.find(one => one.number === Math.round(value));
+    pointed.textContent = number === 65535 ? field.name + ' is not defined here' : field.name + ' = ' + (tissue ? tissue.name : digits(value) + ' ' + (field.unit || ''));
   }
 
   new ResizeObserver(draw).observe(canvas);

@@ -298,6 +298,12 @@ namespace myolines::report
                               {"map", map_name(field)},
                               {"points", field.points},
                               {"lines", field.lines}});
+        Json tissues = Json::array(); // name and colour
+        for (const auto &[number, name] : first_.tissues_present())
+          tissues.push_back(
+              {{"number", number},
+               {"name", name},
+               {"colour", picture::hexadecimal(colour_of(picture::ColourMap::tissues, (number - 0.5) / picture::most_tissues))}});
         data_.json               = {{"low", {low_[0], low_[1], low_[2]}},
                                     {"high", {high_[0], high_[1], high_[2]}},
                                     {"quads", integers(shell_.quads)},
@@ -308,6 +314,8 @@ namespace myolines::report
                                     {"lengths", lengths},
                                     {"lines", lines_now},
                                     {"fields", fields},
+                                    {"most tissues", picture::most_tissues},
+                                    {"tissues", tissues},
                                     {"maps",
                                      {{"viridis", colours_of(picture::ColourMap::viridis)},
                                       {"diverging", colours_of(picture::ColourMap::diverging)},

@@ -7,7 +7,7 @@
 #include <myolines/picture/body.h>
 #include <myolines/scene/scene.h>
 #include <myolines/study/plot.h>
-#include <myolines/study/series_titles.h>
+#include <myolines/study/plot_page.h>
 
 #include <algorithm>
 

@@ -88,6 +88,16 @@ namespace myolines::scene
     return peek_texts(file, {path}, overrides).front();
   }
 
+  std::vector<std::string> peek_lists(const std::filesystem::path &file, const std::string &path)
+  {
+    const RawList            root = raw_scene(read_input_text(file), file.string(), {});
+    std::vector<std::string> names;
+    if (const RawList *list = find_list_at(root, path))
+      for (const RawList &inside : list->lists)
+        names.push_back(inside.name);
+    return names;
+  }
+
   Node compose_scene(const Schema &schema, const std::vector<Setting> &settings, const std::string &name,
                      const std::filesystem::path &folder)
   {

@@ -5,8 +5,8 @@
 #include <myolines/output/text_file.h>
 #include <myolines/study/csv_table.h>
 #include <myolines/study/plot.h>
+#include <myolines/study/plot_page.h>
 #include <myolines/study/results.h>
-#include <myolines/study/series_titles.h>
 
 #include <algorithm>
 #include <cctype>
@@ -19,9 +19,19 @@ namespace myolines::study
 
     struct NamedTable
     {
-      std::string file;
+      std::string file, title;
       CsvTable    table;
     };
+
+    /// What the table @p file is about, in the words of its run; its name with blanks where the run has none.
+    std::string title_of(const std::string &file, const std::optional<Manifest> &manifest)
+    {
+      if (manifest && manifest->titles.count(file) > 0)
+        return manifest->titles.at(file);
+      std::string stem = std::filesystem::path(file).stem().string();
+      std::replace(stem.begin(), stem.end(), '_', ' ');
+      return stem;
+    }
 
     /// The series in @p folder, in the order of their names: those of its run, if there is a manifest that lists them.
     std::vector<NamedTable> series_in(const std::filesystem::path &folder, const std::string &only)
@@ -40,7 +50,7 @@ namespace myolines::study
             continue;
           const std::optional<CsvTable> table = read_csv(entry.path());
           if (table && table->header.front() == time_header && !table->rows.empty())
-            all.push_back({name, *table});
+            all.push_back({name, title_of(name, manifest), *table});
         }
       std::sort(all.begin(), all.end(), [](const NamedTable &a, const NamedTable &b) { return a.file < b.file; });
       return all;
@@ -66,7 +76,7 @@ namespace myolines::study
     {
       Picture picture;
       picture.name    = name_of_file(name);
-      picture.title   = series_title(title);
+      picture.title   = title;
       picture.x_label = "time [s]";
       picture.y_label = y_label;
       picture.marks   = false;
@@ -102,7 +112,7 @@ namespace myolines::study
           if (found == units.end())
             {
               units.push_back(unit);
-              pictures.push_back(empty_series(stem + (unit.empty() ? "" : "_" + unit), stem, label_of(unit)));
+              pictures.push_back(empty_series(stem + (unit.empty() ? "" : "_" + unit), named.title, label_of(unit)));
               found = units.end() - 1;
             }
           pictures[found - units.begin()].curves.push_back(curve_of(header, series_of(named.table, header)));

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Tangents of laws by hand and by dual numbers, nanoseconds for a point and cell: `build/release/tests/benchmark_laws`. Compiled as the
-// kernels are, for the instruction set that MYOLINES_ISA names.
+// kernels are, for the instruction set that MYOLINES_ISA names. Times are of the processor; both ways take turns, and a ratio is the median
+// of those of the turns. With --once every function runs once over the points: laws.py counts its instructions.
 #include <myolines/materials/law.h>
 
 #include <laws_of_list.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace myolines
@@ -59,21 +62,45 @@ namespace myolines
       std::vector<Mat3<T>>        dF, dP;
     };
 
-    /// Of the fastest of several sweeps over the points.
-    template <typename Work>
-    double nanoseconds(const Work &work)
+    /// Of several sweeps over the points.
+    double nanoseconds(const std::function<void()> &work)
     {
-      double best = 1e30;
-      for (int r = 0; r < repeats; ++r)
-        {
-          const auto start = std::chrono::steady_clock::now();
-          for (int s = 0; s < sweeps; ++s)
-            work();
-          const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-          best                                                = std::min(best, time.count() / (sweeps * n_points * T::size));
-        }
-      return best;
+      const auto now = [] {
+        timespec time;
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+      };
+      const double start = now();
+      for (int s = 0; s < sweeps; ++s)
+        work();
+      return (now() - start) / (sweeps * n_points * T::size);
     }
+
+    double median(std::vector<double> numbers)
+    {
+      std::sort(numbers.begin(), numbers.end());
+      return numbers[numbers.size() / 2];
+    }
+
+    /// Medians of the times of two ways, and of their ratio.
+    struct Pair
+    {
+      Pair(const std::function<void()> &by_hand, const std::function<void()> &by_dual)
+      {
+        std::vector<double> hands, duals, ratios;
+        for (int r = 0; r < repeats; ++r)
+          {
+            hands.push_back(by_hand ? nanoseconds(by_hand) : 0);
+            duals.push_back(nanoseconds(by_dual));
+            ratios.push_back(duals.back() / hands.back());
+          }
+        hand  = median(hands);
+        dual  = median(duals);
+        ratio = median(ratios);
+      }
+
+      double hand, dual, ratio;
+    };
 
     template <class L>
     __attribute__((noinline)) void actions(const L &law, Points &p)
@@ -106,31 +133,56 @@ namespace myolines
         p.dP[q] = law.stress(strain(p.at[q]));
     }
 
+    void print(const Pair &pair, const bool by_hand)
+    {
+      if (by_hand)
+        std::printf(" %.1f | %.1f | %.2f |", pair.hand, pair.dual, pair.ratio);
+      else
+        std::printf(" | %.1f | |", pair.dual);
+    }
+
     template <class L>
-    void row(const L &law, Points &p)
+    void row(const L &law, Points &p, const bool once, const char *type)
     {
       const ByDualNumbers<L> dual{law};
-      const double           stress = nanoseconds([&] { stresses(law, p); }), action = nanoseconds([&] { actions(dual, p); }),
-                   matrix = nanoseconds([&] { all_moduli(dual, p); });
+      using Work = std::function<void()>;
+      Work action, matrix;
       if constexpr (has_hand_tangent<L>)
         {
-          const double by_hand = nanoseconds([&] { actions(law, p); }), matrix_by_hand = nanoseconds([&] { all_moduli(law, p); });
-          std::printf("| %s | %.1f | %.1f | %.1f | %.2f | %.1f | %.1f | %.2f |\n", L::name, stress, by_hand, action, action / by_hand,
-                      matrix_by_hand, matrix, matrix / matrix_by_hand);
+          action = [&] { actions(law, p); };
+          matrix = [&] { all_moduli(law, p); };
         }
-      else
-        std::printf("| %s | %.1f | | %.1f | | | %.1f | |\n", L::name, stress, action, matrix);
+      Work stress = [&] { stresses(law, p); }, dual_action = [&] { actions(dual, p); }, dual_matrix = [&] { all_moduli(dual, p); };
+      if (once)
+        {
+          for (const Work *work : {&stress, &action, &dual_action, &matrix, &dual_matrix})
+            if (*work)
+              (*work)();
+          std::printf("%s,%s,%d\n", L::name, type, n_points * T::size);
+          return;
+        }
+      std::printf("| %s | %.1f |", L::name, Pair({}, stress).dual);
+      print({action, dual_action}, has_hand_tangent<L>);
+      print({matrix, dual_matrix}, has_hand_tangent<L>);
+      std::puts("");
     }
   } // namespace
 } // namespace myolines
 
-int main()
+int main(int argc, char **argv)
 {
   using namespace myolines;
+  const bool once = argc == 2 && std::string(argv[1]) == "--once";
+  if (argc > 1 && !once)
+    {
+      std::fputs("benchmark_laws [--once]\n", stderr);
+      return 2;
+    }
   Points p;
-  std::puts("| law | stress [ns] | action by hand [ns] | dual [ns] | ratio | moduli by hand [ns] | dual [ns] | ratio "
-            "|\n|---|---|---|---|---|---|---|---|");
-#define MYOLINES_LAW(file, law) row(law{}, p);
+  if (!once)
+    std::puts("| law | stress [ns] | action by hand [ns] | dual [ns] | ratio | moduli by hand [ns] | dual [ns] | ratio "
+              "|\n|---|---|---|---|---|---|---|---|");
+#define MYOLINES_LAW(file, law) row(law{}, p, once, #law);
 #include <myolines/materials/laws/list.def>
 #undef MYOLINES_LAW
   return 0;

@@ -4,7 +4,8 @@
 
 turned.py PROGRAM WORK_FOLDER [--count N] [--tolerance 1e-9] [--set PATH=VALUE ...] [BODY ...]
 
-Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon, written here). Each is run as it lies, then N times
+Bodies: bipennate, fusiform (the meshes of input/bodies), bar (a small tapered bar with a tendon, written here), own (the same bar of two tissues of the
+scene's own, in tetrahedra and millimetres). Each is run as it lies, then N times
 rotated about a random axis, moved by up to its length and, every second time, mirrored; meshes, directions, formulas, loads and markers with it. Scalars
 must be equal, and vectors, which are columns whose names differ by x, y and z alone, after they are turned back, to the tolerance times the greatest
 value of their column (of the three of a vector). Energies, forces and work densities, which cancel, are compared on the scale of the greatest of the run,
@@ -69,10 +70,10 @@ class Frame:
 
 
 class Mesh:
-    """Of a Gmsh file (2.2, ASCII): lines of names, points, elements as (kind, group, vertices)."""
+    """Of a Gmsh file (2.2, ASCII): lines of names, points [m], elements as (kind, group, vertices); files are written in the unit [m]."""
 
-    def __init__(self, names, points, elements):
-        self.names, self.points, self.elements = names, points, elements
+    def __init__(self, names, points, elements, unit=1.0):
+        self.names, self.points, self.elements, self.unit = names, points, elements, unit
 
     @staticmethod
     def read(path):
@@ -95,11 +96,13 @@ class Mesh:
             out.write(f"$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{len(self.names)}\n" + "".join(name + "\n" for name in self.names))
             out.write(f"$EndPhysicalNames\n$Nodes\n{len(self.points)}\n")
             for number, point in enumerate(self.points, 1):
-                out.write(f"{number} " + " ".join(repr(x) for x in frame.move(point)) + "\n")
+                out.write(f"{number} " + " ".join(repr(x / self.unit) for x in frame.move(point)) + "\n")
             out.write(f"$EndNodes\n$Elements\n{len(self.elements)}\n")
             for number, (kind, group, nodes) in enumerate(self.elements, 1):
                 if kind == 5 and frame.mirrors():
                     nodes = nodes[4:] + nodes[:4]
+                if kind == 4 and frame.mirrors():
+                    nodes = [nodes[1], nodes[0]] + nodes[2:]
                 out.write(f"{number} {kind} 2 {group} {group} " + " ".join(map(str, nodes)) + "\n")
             out.write("$EndElements\n")
 
@@ -134,6 +137,21 @@ def bar_mesh():
     return Mesh(['3 1 "muscle"', '3 2 "tendon"', '2 3 "origin"', '2 4 "insertion"', '2 5 "top"'], points, elements)
 
 
+# Hexahedra in six tetrahedra along the diagonal from corner 0 to 6, and their faces in two triangles along the diagonals that these have.
+TETRAHEDRA = ((0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (0, 5, 1, 6))
+TRIANGLES = ((0, 1, 2), (0, 2, 3))
+
+
+def own_mesh():
+    """The bar in tetrahedra and millimetres, its tissues named by the scene."""
+    bar = bar_mesh()
+    elements = []
+    for kind, group, nodes in bar.elements:
+        pieces, simplex = (TRIANGLES, 2) if kind == 3 else (TETRAHEDRA, 4)
+        elements += [(simplex, group, [nodes[i] for i in piece]) for piece in pieces]
+    return Mesh(['3 1 "wall"', '3 2 "sheath"'] + bar.names[2:], bar.points, elements, unit=1e-3)
+
+
 def parameter(name, kind, value):
     return f'<Parameter name="{name}" type="{kind}" value="{escape(str(value))}"/>'
 
@@ -158,19 +176,19 @@ def ramp(amplitude, duration):
     return parameter("type", "string", "smooth step") + parameter("amplitude", "double", amplitude) + parameter("duration", "double", duration)
 
 
-def scene(frame, fibres, tissue, boundary, extra, markers, shape=True):
+def scene(frame, fibres, tissue, boundary, extra, markers, shape=True, unit="1", fascicles=12):
     activation = section("activation", ramp(0.3, 0.04))
     flags = "".join(parameter(name, "bool", "true") for name in ("all faces", "gearing")) + parameter("shape", "bool", str(shape).lower())
     moved = "; ".join(f"m{i} " + numbers_text(frame.move(x)) for i, x in enumerate(markers))
     return section(
         "scene", parameter("title", "string", "turned"),
         section("system", parameter("type", "string", "muscle 3d"),
-                section("geometry", parameter("type", "string", "gmsh"), parameter("file", "string", "body.msh")),
+                section("geometry", parameter("type", "string", "gmsh"), parameter("file", "string", "body.msh"), parameter("scale", "string", unit)),
                 section("discretisation", parameter("degree", "int", 1), parameter("quadrature points", "int", 3)), tissue, fibres,
                 section("boundary", *boundary), activation, extra),
         section("integrator", parameter("type", "string", "backward euler")),
         section("time", parameter("end", "double", 0.04), parameter("step", "double", 0.01)),
-        section("output", section("series", flags, parameter("fascicles", "int", 12), parameter("strain places", "string", "0.25 0.5"),
+        section("output", section("series", flags, parameter("fascicles", "int", fascicles), parameter("strain places", "string", "0.25 0.5"),
                                   parameter("markers", "string", moved))))
 
 
@@ -203,18 +221,36 @@ def fusiform(frame):
                  [[0.04, 0.001, 0.002]], shape=False)  # fibres lean to all sides
 
 
-def bar(frame):
+def along(frame):
+    """Fibres of the bar, and its load: what they are and boundary conditions."""
     fibres = section("fibres", parameter("type", "string", "direction"),
                      *(parameter(axis, "double", repr(x)) for axis, x in zip("xyz", frame.turn([math.cos(0.4), 0.1, math.sin(0.4)]))))
     pull = section("weight", parameter("face", "string", "insertion"), parameter("type", "string", "isotonic"), parameter("force", "double", 0.4),
                    section("profile", ramp(1, 0.03)))
     press = section("press", parameter("face", "string", "top"), parameter("type", "string", "follower pressure"), parameter("pressure", "double", 300),
                     section("profile", ramp(1, 0.03)))
-    return scene(frame, fibres, tissue_along(frame, "tendon", [1, 0, 0]), [fixed("origin", "origin"), pull, press], "", [[0.02, 0.004, 0.006]])
+    return fibres, [fixed("origin", "origin"), pull, press], [[0.02, 0.004, 0.006]]
+
+
+def bar(frame):
+    fibres, boundary, markers = along(frame)
+    return scene(frame, fibres, tissue_along(frame, "tendon", [1, 0, 0]), boundary, "", markers)
+
+
+def own(frame):
+    """All kinds of laws: the wall has its fibres from system/fibres, the sheath a direction of its own."""
+    def laws(**kinds):
+        return section("laws", *(section(name, parameter("type", "string", kind)) for name, kind in kinds.items()))
+
+    wall = section("wall", laws(net="guccione", muscle="active fibre", fluid="viscosity"))
+    sheath = section("sheath", parameter("direction", "string", numbers_text(frame.turn([1, 0, 0.2]))),
+                     laws(ground="yeoh", threads="tendinous fibre", oil="fibre viscosity"))
+    fibres, boundary, markers = along(frame)
+    return scene(frame, fibres, section("tissues", section("own", wall, sheath)), boundary, "", markers, shape=False, unit="mm", fascicles=0)
 
 
 def mesh_of(body):
-    return bar_mesh() if body == "bar" else Mesh.read(BODIES / f"{body}.msh")
+    return bar_mesh() if body == "bar" else own_mesh() if body == "own" else Mesh.read(BODIES / f"{body}.msh")
 
 
 def run(program, folder, mesh, text, frame, settings):
@@ -298,7 +334,7 @@ def tables(folder):
 
 
 def check(program, body, work, count, tolerance, settings):
-    mesh, make = mesh_of(body), {"bipennate": bipennate, "fusiform": fusiform, "bar": bar}[body]
+    mesh, make = mesh_of(body), {"bipennate": bipennate, "fusiform": fusiform, "bar": bar, "own": own}[body]
     still = Frame([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 0.0])
     run(program, work / "still", mesh, make(still), still, settings)
     names = tables(work / "still")
@@ -341,7 +377,7 @@ def main():
     settings = ([] if options.default_solvers else EXACT) + options.set
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     good = [check(program, body, options.work / body, options.count, options.tolerance, settings)
-            for body in options.bodies or ("bar", "bipennate", "fusiform")]
+            for body in options.bodies or ("bar", "own", "bipennate", "fusiform")]
     return 0 if all(good) else 1
 
 

@@ -185,6 +185,36 @@ namespace myolines
       EXPECT_DOUBLE_EQ(powers.dissipation, m.dissipation);
     }
 
+    /// A block swollen by a tenth in all directions: pressures of all points, energy, and the name in a scene.
+    TEST(VolumetricEnergy, IsTheOneThatTheSceneNames)
+    {
+      const double kappa = 4e6, D = 1.331, ln = std::log(D);
+      const struct
+      {
+        const char *name;
+        double      pressure, energy;
+      } forms[] = {{"thesis", kappa / 2 * (D - 1 / D), kappa / 4 * (D * D - 2 * ln - 1)},
+                   {"quadratic", kappa * (D - 1), kappa / 2 * (D - 1) * (D - 1)},
+                   {"logarithmic", kappa * ln / D, kappa / 2 * ln * ln}};
+      for (const auto &form : forms)
+        {
+          const std::string        scene = "<ParameterList name=\"scene\"/>";
+          const Muscle3dParameters p     = read_muscle3d(scene::parse_scene(
+                  scene, muscle3d_schema(), "test", ".",
+                  {std::string("tissues/volumetric energy=") + form.name, "tissues/muscle/bulk modulus=4e6", "geometry/refinement=0"}));
+          InMotion                 body(p);
+          const auto              &space = *body.system.discretisation().space;
+          for (const auto node : space.nodes().locally_owned_dofs())
+            for (unsigned int c = 0; c < 3; ++c)
+              body.state.u(3 * node + c) = 0.1 * space.node_position(node)[c];
+          body.state.v         = 0;
+          const BodyMeasures m = measure_body(body.system, body.state, SlabRule::quadrature_points);
+          EXPECT_NEAR(m.stored_volumetric, form.energy * m.volume, 1e-12 * form.energy * m.volume) << form.name;
+          // what the pressure does against the displacement: p J H : Grad U = 3 p J 0.1/1.1
+          EXPECT_NEAR(m.work_density[volumetric_part], 3 * form.pressure * D * 0.1 / 1.1, 1e-11 * form.pressure) << form.name;
+        }
+    }
+
     TEST(Laws3d, AnExponentialThatOverflowsIsInadmissible)
     {
       const InMotion body(own_block({part("wall", "guccione", {"bf=1e6"})}));

@@ -4,9 +4,13 @@
 #include "../support/solvers.h"
 #include "fixtures.h"
 
+#include <myolines/time/error_control.h>
 #include <myolines/time/integrator.h>
+#include <myolines/time/loop.h>
 
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 namespace myolines::test
 {
@@ -33,6 +37,31 @@ namespace myolines::test
           const StepReport report = integrator->step(end / steps, state);
           ASSERT_TRUE(report.accepted()) << report.reason;
           visit(state);
+        }
+    }
+
+    /// To @p end in steps that the method chooses, within absolute tolerances.
+    void go_within(const IntegratorEntry &method, const double displacement, const double velocity, const double end)
+    {
+      const auto text = [](const double x) {
+        std::ostringstream out;
+        out << x;
+        return out.str();
+      };
+      const scene::Node time = myolines::testing::node(
+          time_schema(), {"end=" + text(end), "step=" + text(end / 1000), "control/type=error", "control/displacement/relative tolerance=0",
+                          "control/displacement/absolute tolerance=" + text(displacement), "control/velocity/relative tolerance=0",
+                          "control/velocity/absolute tolerance=" + text(velocity)});
+      const auto norm = make_error_norm(time, system);
+      const auto integrator =
+          method.make_self_paced(myolines::testing::node(method.schema),
+                                 {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger, StartVelocity::consistent, norm.get()},
+                                 error_control_limits(time));
+      integrator->start(state);
+      while (state.t < end)
+        {
+          const StepReport report = integrator->advance(end, state);
+          ASSERT_TRUE(report.accepted()) << report.reason;
         }
     }
 

@@ -23,6 +23,7 @@ namespace myolines
       bool         smooth = false; ///< smooth curves, two regions of activation
       bool         laws   = false; ///< all laws of the list are added
       bool         step   = false; ///< forces of two states
+      VolumeForm   volume = VolumeForm::thesis;
 
       bool rates() const { return dynamic && (active || laws); }
     };
@@ -54,6 +55,16 @@ namespace myolines
           c.step = true;
           all.push_back(c);
         }
+      for (const VolumeForm form : {VolumeForm::quadratic, VolumeForm::logarithmic})
+        for (const bool step : {false, true})
+          {
+            Case c;
+            c.name   = std::string(step ? "step_of_" : "") + volume_form_names[static_cast<int>(form)] + "_volume";
+            c.degree = 2, c.n_points = 3;
+            c.step   = step;
+            c.volume = form;
+            all.push_back(c);
+          }
       return all;
     }
 
@@ -98,6 +109,7 @@ namespace myolines
       {
         Muscle3dParameters p = small_block(GetParam().degree, GetParam().n_points);
         p.dynamic            = GetParam().dynamic;
+        p.volume_form        = GetParam().volume;
         if (!GetParam().active)
           p.activation = nullptr;
         const auto direction = p.muscle().fibre.direction;

@@ -23,6 +23,7 @@ namespace myolines
       std::string  tissue = "muscle";
       bool         laws   = false; ///< all that have an energy
       bool         active = false; ///< and all others
+      VolumeForm   volume = VolumeForm::thesis;
 
       Muscle3dParameters parameters() const
       {
@@ -34,6 +35,7 @@ namespace myolines
             p.muscle() = kind.defaults;
         p.muscle().fibre.direction = direction;
         p.muscle().bulk_modulus    = bulk_modulus;
+        p.volume_form              = volume;
         if (!active)
           p.activation = nullptr;
         for (const LawKind &kind : law_kinds())
@@ -168,7 +170,9 @@ namespace myolines
                              ::testing::Values(Body{"q1", 1, 2, 1e6}, Body{"q2", 2, 3, 1e6}, Body{"q2_nearly_incompressible", 2, 4, 1e9},
                                                Body{"q3", 3, 4, 1e7}, Body{"laws", 2, 3, 1e6, "muscle", true},
                                                Body{"tendon", 2, 3, 1e7, "tendon"},
-                                               Body{"active_and_viscous", 2, 3, 1e6, "muscle", true, true}),
+                                               Body{"active_and_viscous", 2, 3, 1e6, "muscle", true, true},
+                                               Body{"quadratic_volume", 2, 3, 1e6, "muscle", false, false, VolumeForm::quadratic},
+                                               Body{"logarithmic_volume", 2, 3, 1e6, "muscle", false, false, VolumeForm::logarithmic}),
                              [](const auto &info) { return info.param.name; });
 
     /// A free bar, wound up and thrown, of a material of shear modulus @p mu and bulk modulus @p kappa.

@@ -72,6 +72,23 @@ namespace myolines
       EXPECT_GT(std::log2(coarse / fine), facts.order - 0.3) << coarse << " " << fine;
     }
 
+    TEST(ViscousSupport, StaysWithinTheToleranceOfMethodsThatChooseTheirSteps)
+    {
+      const Oscillator exact;
+      const double     end = 2 / exact.frequency;
+      for (const IntegratorEntry &entry : integrator_registry())
+        if (entry.make_self_paced)
+          for (const double tolerance : {1e-3, 1e-5})
+            {
+              test::Simulation run(exact.p, {"relative tolerance=1e-8"});
+              run.go_within(entry, tolerance * exact.speed / exact.frequency, tolerance * exact.speed, end);
+              const auto   node = run.system.discretisation().space->face_nodes(1).front();
+              const double u    = exact.frequency * (run.state.u(3 * node) - exact.q(end)) / exact.speed,
+                           v    = (run.state.v(3 * node) - exact.rate(end)) / exact.speed;
+              EXPECT_LT(std::hypot(u, v), 20 * tolerance) << entry.facts.name;
+            }
+    }
+
     /// But those that solve with the mass alone: with one unknown their estimate of the stable step does not converge beyond rounding.
     std::vector<IntegratorEntry> dynamic_methods()
     {

@@ -95,6 +95,29 @@ TEST(MuscleOutputs, HeadersAreThoseOfFlexodeal)
     EXPECT_EQ(folder.lines(file).at(0), header);
 }
 
+/// Every series, asked for as its parameter goes; those of parameters that are no switch are the two of this test.
+TEST(MuscleOutputs, EverySeriesHasATitle)
+{
+  Muscle3dParameters p = block();
+  p.boundary           = {fixed("moving end", 1), fixed("fixed end", 0)};
+  test::Folder         folder;
+  WorkLedger           ledger;
+  const Muscle3dSystem system(p, MPI_COMM_SELF, ledger);
+  const OutputFolder   outputs(folder.path);
+  std::string          all = setting("markers", "string", "p1 0 0 0") + setting("fascicles", "int", "3");
+  scene::Schema        declared("");
+  for (const SeriesEntry &entry : series_registry())
+    entry.declare(declared);
+  for (const scene::Entry &entry : declared.entries())
+    if (entry.kind == scene::Kind::boolean)
+      all += setting(entry.name, "bool", "true");
+  make_outputs(output_scene(all + setting("strain places", "string", "1")), system, outputs, ledger);
+  EXPECT_GT(outputs.noted().size(), 12u);
+  for (const std::string &file : outputs.noted())
+    if (file.find('*') == std::string::npos) // those have no time
+      EXPECT_EQ(outputs.titles().count(file), 1u) << file;
+}
+
 TEST(MuscleOutputs, MeasuresOnceAndOnlyWhatIsAskedFor)
 {
   Muscle3dParameters p = block();

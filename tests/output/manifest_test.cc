@@ -17,6 +17,7 @@ TEST(Manifest, NamesWhatMadeTheRun)
   const std::string  started = iso8601_now();
   const OutputFolder outputs(folder.path);
   outputs.note("fields-*.vtu");
+  outputs.entitle("momenta.csv", "Momenta, and \"more\"");
   EnergyReport energy;
   energy.drift     = -0.25;
   energy.exchanged = 4;
@@ -45,6 +46,7 @@ TEST(Manifest, NamesWhatMadeTheRun)
   EXPECT_EQ(manifest.at("energy").at("exchanged [J]"), 4);
   EXPECT_EQ(manifest.at("energy").at("largest gain"), nlohmann::json::parse(R"({"size [J]": 0.5, "from [s]": 0.1, "to [s]": 0.2})"));
   EXPECT_EQ(manifest.at("files"), nlohmann::json::parse(R"(["fields-*.vtu", "manifest.json"])"));
+  EXPECT_EQ(read_manifest(folder.path).value().titles.at("momenta.csv"), "Momenta, and \"more\"");
 }
 
 TEST(Manifest, OnlyOneOfThisProgramIsTakenForOne)
@@ -71,6 +73,7 @@ TEST(Manifest, OnlyOneOfThisProgramIsTakenForOne)
         R"({"program": "myolines", "exit reason": "done", "files": ["/etc/passwd"]})"})
     EXPECT_EQ(complaint(other), file) << other;
   EXPECT_EQ(complaint(R"({"program": "myolines", "exit reason": "done", "files": ["a.csv", "states/state-*"]})"), "taken");
+  EXPECT_EQ(complaint(R"({"program": "myolines", "exit reason": "done", "files": [], "titles": {"a.csv": 3}})"), "taken");
 }
 
 TEST(Manifest, WhatIsAddedLaterIsListed)

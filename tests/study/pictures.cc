@@ -59,13 +59,18 @@ TEST(Pictures, ColumnsOfOneUnitShareOneAndRunsAreCompared)
   const auto one = pictures_of_runs({folder / "a"}, "");
   ASSERT_EQ(one.size(), 2u);
   EXPECT_EQ(one[0].y_label, "force [N]");
+  EXPECT_EQ(one[0].title, "r");
   ASSERT_EQ(one[0].curves.size(), 2u);
   EXPECT_EQ(one[0].curves[1].points[1], (std::pair<double, double>(1, 5)));
   const auto both = pictures_of_runs({folder / "a", folder / "b"}, "r.csv");
   ASSERT_EQ(both.size(), 3u);
   EXPECT_EQ(both[2].y_label, "V [m^3]");
+  EXPECT_EQ(both[2].title, "V [m^3]");
   EXPECT_EQ(both[2].curves[1].title, "b");
   EXPECT_THROW(pictures_of_runs({folder / "c"}, ""), InputError);
+  folder.write("a/manifest.json",
+               R"({"program": "myolines", "exit reason": "done", "files": ["r.csv"], "titles": {"r.csv": "Forces of the day"}})");
+  EXPECT_EQ(pictures_of_runs({folder / "a"}, "").front().title, "Forces of the day");
 }
 
 TEST(Pictures, MapsHaveOneForEachPointOfTheOtherAxes)

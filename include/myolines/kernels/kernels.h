@@ -3,6 +3,7 @@
 
 #include <myolines/base/lanes.h>
 #include <myolines/materials/law_kernels.h>
+#include <myolines/materials/volume_energy.h>
 
 #include <cstddef>
 
@@ -34,6 +35,7 @@ namespace myolines
     bool                softened;      ///< Psi_vol'' in actions and matrices is that of preconditioners
     bool                keep_gradient; ///< tangents of a state have F, which actions find again from the displacement otherwise
     double              volume_limit;  ///< N: Psi_vol'' is 1/(1/Psi_vol'' + 1/(N (mu + |p|))), mu = 2 dPsi/dI1; as it is where mu = 0
+    VolumeForm          volume_form;   ///< what Psi_vol is
     curves::FibreCurves curves;        ///< of the user, where there are any; borrowed
     const double       *before;        ///< local array of displacements, as u: forces are those of the step from there to u; or nullptr
 

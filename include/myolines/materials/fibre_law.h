@@ -36,20 +36,20 @@ namespace myolines
       return (D(sigma.stress, sigma.by_stretch, s.lam) + D(T(0.), sigma.by_rate, rate)) * s.N;
     }
 
-    /// dP along @p dF and @p dF_rate.
+    /// dP as a function of (dF, dF_rate); @p s is borrowed.
     template <typename T>
-    MYOLINES_INLINE Mat3<T> tangent(const Strain<T> &s, const Mat3<T> &dF, const Mat3<T> &dF_rate) const
+    MYOLINES_INLINE auto tangent(const Strain<T> &s) const
     {
-      const T                rate  = s.lam * s.growth;
-      const FibreResponse<T> sigma = law().response(s.lam, rate, s);
-      const Vec3<T>          da    = dF * s.a0;
-      const Mat3<T>          dN    = s.square * outer(da, s.a0) - (2. * s.square * s.square * dot(s.a, da)) * outer(s.a, s.a0) +
-                         (1. / 3.) * (s.H * transpose(dF) * s.H);
-      const T dlam   = s.lam * dot(s.N, dF);
-      T       change = sigma.by_stretch * dlam;
-      if (L::rates != Rates::none)
-        change += sigma.by_rate * (dlam * s.growth + s.lam * (dot(dN, s.F_rate) + dot(s.N, dF_rate)));
-      return change * s.N + sigma.stress * dN;
+      return [&s, sigma = law().response(s.lam, s.lam * s.growth, s)](const Mat3<T> &dF, const Mat3<T> &dF_rate) MYOLINES_INLINED {
+        const Vec3<T> da = dF * s.a0;
+        const Mat3<T> dN = s.square * outer(da, s.a0) - (2. * s.square * s.square * dot(s.a, da)) * outer(s.a, s.a0) +
+                           (1. / 3.) * (s.H * transpose(dF) * s.H);
+        const T dlam   = s.lam * dot(s.N, dF);
+        T       change = sigma.by_stretch * dlam;
+        if (L::rates != Rates::none)
+          change += sigma.by_rate * (dlam * s.growth + s.lam * (dot(dN, s.F_rate) + dot(s.N, dF_rate)));
+        return change * s.N + sigma.stress * dN;
+      };
     }
 
   private:

@@ -29,16 +29,16 @@ namespace myolines
       return first(s.I1) * gradient(s);
     }
 
-    /// dP along @p dF.
+    /// dP as a function of (dF, dF_rate); @p s is borrowed.
     template <typename T>
-    MYOLINES_INLINE Mat3<T> tangent(const Strain<T> &s, const Mat3<T> &dF, const Mat3<T> &) const
+    MYOLINES_INLINE auto tangent(const Strain<T> &s) const
     {
-      const IsotropicResponse<T> psi = law().response(s.I1);
-      const Mat3<T>              Q   = gradient(s);
-      const T                    HdF = dot(s.H, dF), QdF = dot(Q, dF);
-      const Mat3<T>              dQ =
-          (2. * s.power) * dF - (4. / 3. * s.power * HdF) * s.F - (2. / 3. * QdF) * s.H + (2. / 3. * s.I1) * (s.H * transpose(dF) * s.H);
-      return (psi.second * QdF) * Q + psi.first * dQ;
+      return [&s, psi = law().response(s.I1), Q = gradient(s)](const Mat3<T> &dF, const Mat3<T> &) MYOLINES_INLINED {
+        const T       HdF = dot(s.H, dF), QdF = dot(Q, dF);
+        const Mat3<T> dQ =
+            (2. * s.power) * dF - (4. / 3. * s.power * HdF) * s.F - (2. / 3. * QdF) * s.H + (2. / 3. * s.I1) * (s.H * transpose(dF) * s.H);
+        return (psi.second * QdF) * Q + psi.first * dQ;
+      };
     }
 
     /// Psi [J/m^3]

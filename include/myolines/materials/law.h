@@ -13,7 +13,7 @@ namespace myolines
   //   parameters(visit)         visit(member, "name", "unit", Bound, "sentence") of each member; what the member holds is the default
   //   stress(s)                 its part of the first Piola-Kirchhoff stress P [Pa] at a Strain, whose pressure is not its business
   //   energy(s)                 per reference volume [J/m^3] for any T, zero at rest, with P = d energy / dF; if it has one
-  //   tangent(s, dF, dF_rate)   dP by hand, where speed is worth it; else dual numbers make it of stress(s)
+  //   tangent(s)                dP by hand, as a function of (dF, dF_rate), where speed is worth it; else dual numbers make it
   //
   // Residuals, actions, element matrices, energies, `myolines point`, parts of forces and stresses and help follow.
 
@@ -41,10 +41,7 @@ namespace myolines
     {
     };
     template <class L, typename T>
-    struct HasTangent<L, T,
-                      std::void_t<decltype(std::declval<const L &>().tangent(
-                          std::declval<const Strain<T> &>(), std::declval<const Mat3<T> &>(), std::declval<const Mat3<T> &>()))>>
-      : std::true_type
+    struct HasTangent<L, T, std::void_t<decltype(std::declval<const L &>().tangent(std::declval<const Strain<T> &>()))>> : std::true_type
     {
     };
     /// Whether a law has an energy.
@@ -87,7 +84,7 @@ namespace myolines
   MYOLINES_INLINE Mat3<T> tangent(const L &law, const Deformation<T> &at, const Mat3<T> &dF, const Mat3<T> &dF_rate)
   {
     if constexpr (has_hand_tangent<L>)
-      return law.tangent(strain(at), dF, dF_rate);
+      return law.tangent(strain(at))(dF, dF_rate);
     else
       {
         Mat3<T> dP;
@@ -100,26 +97,33 @@ namespace myolines
   template <class L, typename T>
   MYOLINES_INLINE void moduli(const L &law, const Deformation<T> &at, const T &w_u, const T &w_v, T (&A)[9][9])
   {
-    for (int b = 0; b < 3; ++b)
+    const auto three_by_three = [&](const auto &tangents) MYOLINES_INLINED {
+      for (int b = 0; b < 3; ++b)
+        {
+          Mat3<T> dF[3], dF_rate[3], dP[3];
+          for (int K = 0; K < 3; ++K)
+            {
+              dF[K] = dF_rate[K]          = Mat3<T>::zero();
+              dF[K].entry[3 * b + K]      = w_u;
+              dF_rate[K].entry[3 * b + K] = w_v;
+            }
+          tangents(dF, dF_rate, dP);
+          for (int K = 0; K < 3; ++K)
+            for (int i = 0; i < 9; ++i)
+              A[i][3 * b + K] = dP[K].entry[i];
+        }
+    };
+    if constexpr (has_hand_tangent<L>)
       {
-        Mat3<T> dF[3], dF_rate[3], dP[3];
-        for (int K = 0; K < 3; ++K)
-          {
-            dF[K] = dF_rate[K]          = Mat3<T>::zero();
-            dF[K].entry[3 * b + K]      = w_u;
-            dF_rate[K].entry[3 * b + K] = w_v;
-          }
-        if constexpr (has_hand_tangent<L>)
-          {
-            const Strain<T> s = strain(at);
-            for (int K = 0; K < 3; ++K)
-              dP[K] = law.tangent(s, dF[K], dF_rate[K]);
-          }
-        else
-          dual_tangents<3>(law, at, dF, dF_rate, dP);
-        for (int K = 0; K < 3; ++K)
-          for (int i = 0; i < 9; ++i)
-            A[i][3 * b + K] = dP[K].entry[i];
+        const Strain<T> s  = strain(at);
+        const auto      of = law.tangent(s);
+        three_by_three([&](const Mat3<T> *dF, const Mat3<T> *dF_rate, Mat3<T> *dP) MYOLINES_INLINED {
+          for (int K = 0; K < 3; ++K)
+            dP[K] = of(dF[K], dF_rate[K]);
+        });
       }
+    else
+      three_by_three([&](const Mat3<T> *dF, const Mat3<T> *dF_rate, Mat3<T> *dP)
+                         MYOLINES_INLINED { dual_tangents<3>(law, at, dF, dF_rate, dP); });
   }
 } // namespace myolines

@@ -12,10 +12,12 @@ namespace myolines
 {
   /// Point and cell fields for visualisation, see write_fields().
   const std::vector<std::string> &field_names();
+  /// Those, and for each law of the tissues of a body its "stress of TISSUE LAW".
+  std::vector<std::string> field_names(const Muscle3dParameters &parameters);
 
-  /// Writes @p fields (names of field_names()) of @p state to folder/name.vtu (folder/name.pvtu and its pieces on several ranks), with
-  /// high-order cells; returns the file name without the folder. Fields at quadrature points are projected cell-wise (L2, degree of the
-  /// pressure, at least one). Collective, as below.
+  /// Writes @p fields (names of field_names(parameters)) of @p state to folder/name.vtu (folder/name.pvtu and its pieces on several ranks),
+  /// with high-order cells; returns the file name without the folder. Fields at quadrature points are projected cell-wise (L2, degree of
+  /// the pressure, at least one). Collective, as below.
   std::string write_fields_vtu(const Muscle3dSystem &system, const State &state, const std::vector<std::string> &fields,
                                const std::string &folder, unsigned int number);
 
@@ -36,6 +38,6 @@ namespace myolines
   bool is_vector_field(const std::string &field);
   /// Unit: "Pa", "" for pure numbers. Nothing is known of fields with other names, which have "" too.
   std::string field_unit(const std::string &field);
-  /// The name of @p field in files, without blanks.
+  /// The name of @p field in files, without blanks and what else could not stand there.
   std::string field_label(const std::string &field);
 } // namespace myolines

@@ -107,6 +107,8 @@ namespace myolines
     double        stored_laws       = 0; ///< of the laws that are added to tissues [J]
     Parts<double> work_density;          ///< (6.2.3)-(6.2.11) [J/m^3]
 
+    std::vector<double> stored_by_law; ///< of each of them, as Muscle3dParameters::law_parts() [J]; zero where a law has no energy
+
     double               slab_volume      = 0; ///< current [m^3]
     double               mean_stretch     = 0; ///< (6.2.22), |F a0|; means of a body without muscle, or line of action, are not numbers
     double               mean_pennation   = 0; ///< (6.2.25), between fibre and line of action, neither with a sense [degree]

@@ -7,6 +7,7 @@
 #include <myolines/boundary/line_of_action.h>
 #include <myolines/materials/curve_set.h>
 #include <myolines/materials/tissue.h>
+#include <myolines/materials/volume_energy.h>
 #include <myolines/scene/scene.h>
 #include <myolines/system/drive.h>
 
@@ -50,6 +51,7 @@ namespace myolines
     BoundaryConditions                        boundary;                         ///< in the order of the scene
     InitialMotion                             initial;                          ///< displacement and velocity at the start
     LineGiven                                 line;                             ///< of action, what the scene says of it
+    VolumeForm                                volume_form = VolumeForm::thesis; ///< of the volumetric energy of all tissues
     std::shared_ptr<const CurveSet>           curves;                           ///< nullptr: those of the thesis
     std::shared_ptr<const Drive>              activation;                       ///< of all but the regions; nullptr: none
     std::vector<ActivationRegion>             regions;                          ///< at most max_regions - 1, places in fields.regions
@@ -57,6 +59,7 @@ namespace myolines
 
     /// Of all tissues, one behind the other.
     std::vector<LawPart> law_parts() const;
+    std::size_t          first_law(unsigned int material_id) const;        ///< place in law_parts() of the first law of a tissue
     bool                 any_laws() const { return !law_parts().empty(); } ///< whether law_parts() is not empty
 
     /// of a material id that cells have

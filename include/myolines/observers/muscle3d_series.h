@@ -4,7 +4,7 @@
 #include <myolines/base/registry.h>
 #include <myolines/measures/fascicles.h>
 #include <myolines/observers/muscle3d_sample.h>
-#include <myolines/output/output_folder.h>
+#include <myolines/output/csv_file.h>
 #include <myolines/scene/scene.h>
 #include <myolines/time/energy_balance.h>
 
@@ -34,7 +34,7 @@ namespace myolines
   };
 
   /// A file whose row is a function of the sample alone.
-  std::unique_ptr<SeriesFile> make_series_file(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns,
+  std::unique_ptr<SeriesFile> make_series_file(const OutputFolder &folder, const TableName &name, const std::vector<std::string> &columns,
                                                std::function<std::vector<double>(const Muscle3dSample &)> values);
 
   /// What the making of a series may look at.

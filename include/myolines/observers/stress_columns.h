@@ -15,8 +15,9 @@ namespace myolines
   public:
     /// Those of the tissues that the cells of the body are made of, fat and laws.
     explicit StressParts(const Muscle3dParameters &parameters)
-      : chosen_{{muscle_active, "Muscle active"}, {muscle_passive, "Muscle passive"}, {muscle_base, "Muscle base"}}
     {
+      if (parameters.has_muscle)
+        chosen_ = {{muscle_active, "Muscle active"}, {muscle_passive, "Muscle passive"}, {muscle_base, "Muscle base"}};
       if (parameters.tissues.count(aponeurosis_id) + parameters.tissues.count(tendon_id) > 0)
         for (const StressPart part : {aponeurosis_fibre, aponeurosis_base, tendon_fibre, tendon_base})
           chosen_.push_back({part, tendinous(part)});

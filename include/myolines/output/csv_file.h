@@ -7,20 +7,38 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace myolines
 {
+  /// What a table of a run is called.
+  struct TableName
+  {
+    /// @p title may be empty.
+    TableName(std::string file, std::string title = "")
+      : file(std::move(file))
+      , title(std::move(title))
+    {}
+    /// Without a title.
+    TableName(const char *file)
+      : file(file)
+    {}
+
+    std::string file;  ///< relative to the folder
+    std::string title; ///< what it is about, in words, for pictures: "Energies"
+  };
+
   /// A table on disk, comma-separated, one header line. Every row is on disk when row() returns, so whatever a run
   /// computed before it failed can be read. Ranks that do not write (writes_files()) keep no file.
   class CsvFile
   {
   public:
-    /// Starts the file @p name of @p folder anew with the header @p columns (units in brackets: "Time [s]"), or goes on with
+    /// Starts the table @p name of @p folder anew with the header @p columns (units in brackets: "Time [s]"), or goes on with
     /// the one that a resumed run saved, less the rows written since.
     /// @throws InputError if the file to go on with is not as it was, SystemError if the disk refuses, here and below; a row that it did
     /// not take whole is not there.
-    CsvFile(const OutputFolder &folder, const std::string &name, const std::vector<std::string> &columns);
+    CsvFile(const OutputFolder &folder, const TableName &name, const std::vector<std::string> &columns);
 
     /// One number per column; numbers read back exactly, and what is not a number leaves its cell empty (OutputFolder::leave_empty()).
     /// The rows of a folder that is read go to its reader instead.

@@ -45,6 +45,8 @@ namespace myolines
     std::string           exit_reason;        ///< "done", "running", or why the run ended
     std::string           scene;              ///< its file; "" if the manifest does not say
     bool                  lists_files = true; ///< versions before 0.2 did not
+
+    std::map<std::string, std::string> titles; ///< of tables, see OutputFolder::titles(); of runs that have them
   };
   std::optional<Manifest> read_manifest(const std::filesystem::path &folder); ///< That manifest.
 

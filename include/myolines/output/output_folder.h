@@ -56,6 +56,12 @@ namespace myolines
     /// What has been noted: names relative to the folder and patterns.
     const std::set<std::string> &noted() const { return list_->names; }
 
+    /// Notes what the table @p file is about, in words.
+    void entitle(const std::string &file, const std::string &title) const { list_->titles[file] = title; }
+
+    /// Those words, by table.
+    const std::map<std::string, std::string> &titles() const { return list_->titles; }
+
     /// Notes that cells of @p column in the table @p file are empty where there is no number for them.
     void leave_empty(const std::string &file, const std::string &column) const { list_->empty[file].insert(column); }
 
@@ -66,6 +72,7 @@ namespace myolines
     struct List
     {
       std::set<std::string>                        names;
+      std::map<std::string, std::string>           titles;
       std::map<std::string, std::set<std::string>> empty;
       std::vector<std::shared_ptr<File>>           open;
       RowReader                                    reader;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,11 @@ namespace myolines::picture
     std::vector<Cell>  cells;  ///< each with points of its own
     std::vector<Field> fields; ///< that the run wrote
 
+    std::vector<std::string> tissues; ///< names by number, from 1 on
+
     const Field *find(const std::string &name) const; ///< nullptr if there is none
+    /// The tissues that the field "tissue" has anywhere, by number; none without the field.
+    std::map<int, std::string> tissues_present() const;
     /// Whether @p other has the same points at rest and the same cells.
     bool is_on_the_mesh_of(const Body &other) const;
   };
@@ -61,8 +66,9 @@ namespace myolines::picture
       double                             t;
       std::vector<std::filesystem::path> files; ///< pieces; of HDF5 mesh and fields
     };
-    std::vector<Instant> instants_;
-    bool                 hdf5_ = false;
+    std::vector<Instant>     instants_;
+    std::vector<std::string> tissues_;
+    bool                     hdf5_ = false;
   };
 
   // How places of a cell are counted: coordinates in [0, 1].

@@ -17,7 +17,8 @@ namespace myolines::picture
   {
     viridis,   ///< from dark to light, even to the eye, the same to all eyes (S. van der Walt, N. Smith, 2015; CC0)
     diverging, ///< blue, white, red: for numbers of both signs, 0 in the middle
-    tissues    ///< thirds: muscle, aponeurosis, tendon
+    tissues    ///< one of most_tissues equal parts for each: muscle, aponeurosis, tendon, then the scene's own
   };
-  Colour colour_of(ColourMap map, double x); ///< The colour of @p x; numbers outside [0, 1] have that of the nearer end.
+  constexpr int most_tissues = 15;                  ///< that a body can have
+  Colour        colour_of(ColourMap map, double x); ///< The colour of @p x; numbers outside [0, 1] have that of the nearer end.
 } // namespace myolines::picture

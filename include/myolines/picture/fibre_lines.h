@@ -36,9 +36,9 @@ namespace myolines::picture
   /// Whether a run wrote what lines along the fibres need: "fibre direction".
   bool has_fibres(const Body &body);
 
-  /// At most @p number lines along the fibres of the muscle, spread evenly, as points of the body at rest: material lines from one end of
-  /// the muscle to the other, by the midpoint rule with steps of a quarter of a cell. Where the run wrote the field "tissue", lines end
-  /// at other tissues; else at the surface. Lines that go on for ten bodies are left out.
+  /// At most @p number lines along the fibres of muscle and tissues of the scene's own, spread evenly, as points of the body at rest:
+  /// material lines from one end to the other, by the midpoint rule with steps of a quarter of a cell. Where the run wrote the field
+  /// "tissue", lines end at aponeurosis and tendon; else at the surface. Lines that go on for ten bodies are left out.
   std::vector<std::vector<Vec>> fibre_lines(const Body &body, unsigned int number);
 
   /// A point of such a line at an instant.

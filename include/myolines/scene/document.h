@@ -47,4 +47,5 @@ namespace myolines::scene
 
   /// The parameter at @p path, or nullptr.
   const RawParameter *find_parameter(const RawList &root, const std::string &path);
+  const RawList      *find_list_at(const RawList &root, const std::string &path); ///< The list at @p path, or nullptr.
 } // namespace myolines::scene

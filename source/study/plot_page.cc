@@ -1,43 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/escape.h>
-#include <myolines/study/series_titles.h>
+#include <myolines/study/plot_page.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 
 namespace myolines::study
 {
   namespace
   {
-    struct KnownTitle
-    {
-      const char *stem, *words;
-    };
-    constexpr KnownTitle known_titles[] = {
-        {"reaction", "Forces with which the boundary conditions pull on the body"},
-        {"force_data-3d", "Force at the measured face, estimated from interior points, by part of the stress"},
-        {"activation_muscle_length-3d", "Activation and length of the muscle"},
-        {"mean_stretch_pennation_data-3d", "Stretch and pennation of the fibres, mean over the middle"},
-        {"gearing_info-3d", "Lengths, velocities and strain rates behind the gearing"},
-        {"gearing", "Gearing: velocity of the muscle over that of its fibres"},
-        {"fascicles", "Fascicles: lengths, stretch, velocity, curvature, angle"},
-        {"shape", "Shape of the belly: length, width, thickness, volume"},
-        {"energy_balance", "Energies, works and the drift of their balance"},
-        {"energy_data-3d", "Energy densities by part of the stress"},
-        {"displacements-3d", "Displacements of the markers"},
-        {"strain", "Strains"},
-        {"momenta", "Centre of mass, momentum and angular momentum"},
-        {"motion", "Motion at equal intervals"},
-        {"trace", "Displacements and velocities at places of the rod"},
-        {"energy", "Energies"},
-        {"trajectory", "Motion of the mass"},
-        {"muscle_tendon", "Muscle and tendon: lengths, velocities, forces"},
-        {"stretches", "Stretches along the muscle"},
-        {"nodal_states", "Displacements and velocities of the nodes"},
-    };
-
     /// Whether all curves stay where they begin.
     bool is_constant(const Picture &picture)
     {
@@ -59,16 +31,6 @@ namespace myolines::study
       return picture.panels.empty();
     }
   } // namespace
-
-  std::string series_title(const std::string &file)
-  {
-    std::string stem = std::filesystem::path(file).stem().string();
-    for (const KnownTitle &title : known_titles)
-      if (stem == title.stem)
-        return title.words;
-    std::replace(stem.begin(), stem.end(), '_', ' ');
-    return stem;
-  }
 
   std::vector<Constant> without_constants(std::vector<Picture> &pictures)
   {

@@ -8,9 +8,6 @@
 
 namespace myolines::study
 {
-  /// What the table @p file of a run is about, in words: "Forces of the boundary conditions"; its name with blanks where it is not known.
-  std::string series_title(const std::string &file);
-
   /// A curve that stays at one value.
   struct Constant
   {
