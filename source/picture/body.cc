@@ -7,9 +7,9 @@
 #include <myolines/meshes/field_grid.h>
 #include <myolines/picture/body.h>
 #include <myolines/picture/colours.h>
+#include <myolines/scene/document.h>
 #include <myolines/scene/input_text.h>
 #include <myolines/scene/numbers.h>
-#include <myolines/scene/scene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -178,7 +178,7 @@ namespace myolines::picture
                                     "fields.pvd or fields.xdmf, which runs of three-dimensional muscles write",
                                     "run it with --set \"output/fields/what=displacement, stretch, fibre direction\""});
     if (const std::filesystem::path scene = folder / "scene.resolved.xml"; std::filesystem::exists(scene))
-      for (const std::string &own : scene::peek_lists(scene, "system/tissues/own"))
+      for (const std::string &own : scene::lists_at(scene, "system/tissues/own"))
         tissues_.push_back(own);
     hdf5_                            = !std::filesystem::exists(folder / "fields.pvd");
     const std::filesystem::path list = folder / (hdf5_ ? "fields.xdmf" : "fields.pvd");

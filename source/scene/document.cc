@@ -237,15 +237,16 @@ namespace myolines::scene
   {
     const RawList *list = &root;
     for (const std::string &name : split_path(path))
-      if (list != nullptr)
-        list = find_named(list->lists, name);
+      list = list == nullptr ? nullptr : find_named(list->lists, name);
     return list;
   }
 
   const RawParameter *find_parameter(const RawList &root, const std::string &path)
   {
-    const std::size_t last = path.rfind('/');
-    const RawList    *list = last == std::string::npos ? &root : find_list_at(root, path.substr(0, last));
-    return list == nullptr ? nullptr : find_named(list->parameters, path.substr(last + 1));
+    const std::vector<std::string> names = split_path(path);
+    const RawList                 *list  = &root;
+    for (std::size_t i = 0; i + 1 < names.size() && list != nullptr; ++i)
+      list = find_named(list->lists, names[i]);
+    return list == nullptr || names.empty() ? nullptr : find_named(list->parameters, names.back());
   }
 } // namespace myolines::scene

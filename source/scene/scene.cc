@@ -88,7 +88,7 @@ namespace myolines::scene
     return peek_texts(file, {path}, overrides).front();
   }
 
-  std::vector<std::string> peek_lists(const std::filesystem::path &file, const std::string &path)
+  std::vector<std::string> lists_at(const std::filesystem::path &file, const std::string &path)
   {
     const RawList            root = raw_scene(read_input_text(file), file.string(), {});
     std::vector<std::string> names;

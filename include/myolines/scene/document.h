@@ -48,4 +48,8 @@ namespace myolines::scene
   /// The parameter at @p path, or nullptr.
   const RawParameter *find_parameter(const RawList &root, const std::string &path);
   const RawList      *find_list_at(const RawList &root, const std::string &path); ///< The list at @p path, or nullptr.
+
+  /// The names of the lists at @p path ("system/boundary") in a scene file, in their order, before any validation; none where it is not
+  /// written. @throws InputError if the file is unreadable or malformed.
+  std::vector<std::string> lists_at(const std::filesystem::path &file, const std::string &path);
 } // namespace myolines::scene

@@ -110,9 +110,6 @@ namespace myolines::scene
   std::optional<std::string> peek_text(const std::filesystem::path &file, const std::string &path,
                                        const std::vector<std::string> &overrides = {});
 
-  /// The names of the lists in the list at @p path ("system/boundary"), in the order of the file; none where it is not written. As above.
-  std::vector<std::string> peek_lists(const std::filesystem::path &file, const std::string &path);
-
   /// A parameter path and its text: {"system/boundary/moving end/face", "x+"}.
   using Setting = std::pair<std::string, std::string>;
 
