@@ -60,11 +60,11 @@ namespace myolines
   {
     if (!name.title.empty())
       folder.entitle(name.file, name.title);
-    if (folder.saved != nullptr && folder.saved->has_numbers(bytes_of + name))
+    if (folder.saved != nullptr && folder.saved->has_numbers(bytes_of + name_))
       on_writing_rank(path_.string(), as_it_was, mend, [&] { go_on(*folder.saved, columns); });
     else
       {
-        file_ = folder.open(name, File::Mode::write_anew);
+        file_ = folder.open(name_, File::Mode::write_anew);
         write(columns);
       }
   }

@@ -5,6 +5,7 @@
 #include <myolines/fem/node_space.h>
 #include <myolines/muscle3d/body_measures.h>
 #include <myolines/muscle3d/discretisation.h>
+#include <myolines/observers/muscle3d_series.h>
 #include <myolines/observers/outputs.h>
 
 #include "../output/folder.h"
