@@ -172,7 +172,7 @@ namespace myolines
         .optional_text("at", "Times [s] separated by spaces at which to write instead: steps end there, and the start may be one.")
         .text("what", "displacement",
               "Names separated by commas, of: " + join(field_names()) +
-                  "; and of each law of a tissue its stress, for example \"stress of myocardium wall\".")
+                  "; and of each law of a tissue its stress, by both names: stress of myocardium wall.")
         .choice(
             "format", "vtu", {"vtu", "hdf5"},
             "vtu: fields-NNNN.vtu with high-order cells, a file for each rank, listed in fields.pvd; hdf5: fields-NNNN.h5, one file for "
