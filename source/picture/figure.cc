@@ -25,6 +25,13 @@ namespace myolines::picture
       double       width = 0, height = 0; ///< of a panel [px]
     };
 
+    /// Rows of panels above that of @p panel.
+    double row_of(const std::size_t panel, const Layout &layout)
+    {
+      const std::size_t row = panel / layout.columns;
+      return static_cast<double>(row);
+    }
+
     /// As many columns as make the bodies largest on a sheet that is not higher than four fifths of its width.
     Layout layout_of(const std::size_t n, const Frame &frame, const unsigned int width)
     {
@@ -54,7 +61,7 @@ namespace myolines::picture
         , scale_(layout.scale)
         , left_(layout.width * static_cast<double>(panel % layout.columns) +
                 (layout.width - (frame.high - frame.low)[0] * layout.scale) / 2)
-        , bottom_(layout.height * static_cast<double>(panel / layout.columns + 1) - Layout::margin)
+        , bottom_(layout.height * (row_of(panel, layout) + 1) - Layout::margin)
       {}
 
       Spot operator()(const Vec &x) const
@@ -272,8 +279,8 @@ namespace myolines::picture
       {
         const Projector project(frame, layout, p);
         painter.paint(panels[p], project, sheet.layers[0], sheet.layers[1]);
-        sheet.words.push_back({layout.width * (static_cast<double>(p % layout.columns) + 0.5),
-                               layout.height * static_cast<double>(p / layout.columns) + 24, panels[p].title, 16, Words::Anchor::middle});
+        sheet.words.push_back({layout.width * (static_cast<double>(p % layout.columns) + 0.5), layout.height * row_of(p, layout) + 24,
+                               panels[p].title, 16, Words::Anchor::middle});
         sheet.title += (sheet.title.empty() ? "" : "; ") + panels[p].title;
       }
     sheet.title = "The body coloured by " + style.field + ": " + sheet.title;

@@ -5,6 +5,8 @@
 #include <myolines/output/manifest.h>
 #include <myolines/output/text_file.h>
 
+#include <cmath>
+
 namespace myolines::report
 {
   void report_command(const ReportOptions &options, std::ostream &out)
@@ -28,6 +30,7 @@ namespace myolines::report
           out << " " << package;
         out << " (./myolines.sh install)\n";
       }
-    out << "The report is " << file.string() << ", " << (report.html.size() + 50000) / 100000 / 10. << " MB; any browser shows it.\n";
+    out << "The report is " << file.string() << ", " << std::round(static_cast<double>(report.html.size()) / 1e5) / 10
+        << " MB; any browser shows it.\n";
   }
 } // namespace myolines::report

@@ -22,6 +22,7 @@ namespace myolines
       , x_(this->at.x)
     {}
 
+    // The type that NOX wants. NOLINTNEXTLINE(bugprone-unhandled-self-assignment)
     NOX::Abstract::Group &operator=(const NOX::Abstract::Group &other) override
     {
       const auto &from  = dynamic_cast<const NoxGroup &>(other);
