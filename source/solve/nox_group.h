@@ -22,7 +22,7 @@ namespace myolines
       , x_(this->at.x)
     {}
 
-    // The type that NOX wants. NOLINTNEXTLINE(bugprone-unhandled-self-assignment)
+    // The type that NOX wants. NOLINTNEXTLINE(misc-unconventional-assign-operator)
     NOX::Abstract::Group &operator=(const NOX::Abstract::Group &other) override
     {
       const auto &from  = dynamic_cast<const NoxGroup &>(other);
