@@ -188,3 +188,22 @@ TEST(EnergyGuard, costsNothingWhereItIsNotAskedFor)
   OscillatorSystem  system({}, solvers.ledger);
   EXPECT_EQ(guard_energy(std::move(method), time, system).get(), plain);
 }
+
+// It is not needed by the method itself, but printed, and tables of accelerations are made of it.
+TEST(Accelerations, ofRosenbrocksMethodAreOfSecondOrderAtTheEnd)
+{
+  const auto error = [](const double step) {
+    OscillatorParameters parameters;
+    parameters.damping = 0.1;
+    Experiment experiment(integrator_entry("rosenbrock"), parameters);
+    experiment.run(2, step);
+    const State &s = experiment.state;
+    // u'' = -u - 0.1 u' from u = 1, u' = 0
+    const double w = std::sqrt(1 - 0.05 * 0.05), decay = std::exp(-0.05 * 2),
+                 exact = -decay * (std::cos(2 * w) - 0.05 / w * std::sin(2 * w));
+    return std::abs(s.a(0) - exact);
+  };
+  const double coarse = error(0.05), fine = error(0.025);
+  EXPECT_LT(fine, 1e-3);
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3) << coarse << " " << fine;
+}
