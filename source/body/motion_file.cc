@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "mesh_sampler.h"
+#include "point_sources.h"
 
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
@@ -8,7 +9,6 @@
 #include <myolines/meshes/tidy.h>
 #include <myolines/scene/columns.h>
 #include <myolines/scene/csv.h>
-#include <myolines/scene/input_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -226,19 +226,12 @@ namespace myolines
       std::vector<Row>                                         rows_;
       dealii::RTree<std::pair<dealii::Point<3>, unsigned int>> tree_;
     };
-
-    bool begins_like_vtk(const std::filesystem::path &file)
-    {
-      const std::string bytes = scene::read_input_bytes(file);
-      const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-      return bytes.compare(first, 1, "<") == 0 || bytes.compare(first, 5, "# vtk") == 0;
-    }
   } // namespace
 
   MotionFile::MotionFile(const std::filesystem::path &file, const double scale)
     : file_(file)
   {
-    if (begins_like_vtk(file))
+    if (is_vtk(file))
       source_ = std::make_unique<const MotionMesh>(file, scale);
     else
       source_ = std::make_unique<const MotionTable>(file, scale);

@@ -172,15 +172,14 @@ namespace myolines
       std::vector<Row>                                         rows_;
       dealii::RTree<std::pair<dealii::Point<3>, unsigned int>> tree_;
     };
-
-    /// Files of VTK begin so.
-    bool is_mesh(const std::filesystem::path &file)
-    {
-      const std::string bytes = scene::read_input_bytes(file);
-      const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-      return bytes.compare(first, 1, "<") == 0 || bytes.compare(first, 5, "# vtk") == 0;
-    }
   } // namespace
+
+  bool is_vtk(const std::filesystem::path &file)
+  {
+    const std::string bytes = scene::read_input_bytes(file);
+    const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+    return bytes.compare(first, 1, "<") == 0 || bytes.compare(first, 5, "# vtk") == 0;
+  }
 
   const std::vector<PointQuantity> &point_quantities()
   {
@@ -203,7 +202,7 @@ namespace myolines
   }
 
   PointProperties::PointProperties(const std::filesystem::path &file, const double scale)
-    : source_(is_mesh(file) ? mesh_source(file, scale) : table_source(file, scale))
+    : source_(is_vtk(file) ? mesh_source(file, scale) : table_source(file, scale))
   {}
 
   PointProperties::~PointProperties() = default;

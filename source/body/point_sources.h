@@ -31,6 +31,9 @@ namespace myolines
   };
   const std::vector<PointQuantity> &point_quantities();
 
+  /// Whether @p file begins like one of VTK, XML or legacy; others are tables.
+  bool is_vtk(const std::filesystem::path &file);
+
   inline const std::string fibre_orientation = "muscle_fibre_orientation";
 
   std::unique_ptr<const PointProperties::Source> table_source(const std::filesystem::path &file, double scale);
