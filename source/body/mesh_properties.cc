@@ -4,7 +4,6 @@
 
 #include <myolines/base/error.h>
 #include <myolines/base/names.h>
-#include <myolines/meshes/tidy.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +22,6 @@ namespace myolines
       return field.n_components == 3 && std::find(names.begin(), names.end(), field.name) != names.end();
     }
 
-    PlainMesh scaled(PlainMesh mesh, const double scale)
-    {
-      for (PlainMesh::Position &x : mesh.points)
-        for (double &c : x)
-          c *= scale;
-      return mesh;
-    }
-
     std::array<double, 3> vector_at(const Field &field, const std::size_t row)
     {
       return {{field.values[3 * row], field.values[3 * row + 1], field.values[3 * row + 2]}};
@@ -45,9 +36,8 @@ namespace myolines
       MeshSource(const std::filesystem::path &of_file, const PlainMesh &mesh)
         : sampler_(mesh)
       {
-        file                   = of_file;
-        const auto [low, high] = box_around(mesh);
-        extent                 = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+        file   = of_file;
+        extent = sampler_.size();
         std::set<unsigned int> all;
         for (const bool of_cells : {true, false})
           for (const Field &field : of_cells ? mesh.cell_fields : mesh.point_fields)

@@ -8,6 +8,14 @@
 
 namespace myolines
 {
+  PlainMesh scaled(PlainMesh mesh, const double scale)
+  {
+    for (PlainMesh::Position &x : mesh.points)
+      for (double &c : x)
+        c *= scale;
+    return mesh;
+  }
+
   MeshSampler::MeshSampler(const PlainMesh &mesh)
     : parts_(tetrahedra_of(mesh))
   {

@@ -8,6 +8,9 @@
 
 namespace myolines
 {
+  /// @p mesh with all lengths times @p scale.
+  PlainMesh scaled(PlainMesh mesh, double scale);
+
   /// Finds places in a mesh, whose cells are cut into tetrahedra for that.
   class MeshSampler
   {
@@ -23,12 +26,14 @@ namespace myolines
     };
     Place at(const dealii::Point<3> &x) const;
 
+    double size() const { return size_; } ///< diagonal of the box around the mesh
+
   private:
     std::array<double, 4> barycentric(const Tetrahedron &part, const dealii::Point<3> &x) const;
 
     std::vector<dealii::Point<3>>                                  points_;
     std::vector<Tetrahedron>                                       parts_;
-    double                                                         size_ = 0; ///< of the box around it
+    double                                                         size_ = 0;
     dealii::RTree<std::pair<dealii::BoundingBox<3>, unsigned int>> tree_;
   };
 } // namespace myolines

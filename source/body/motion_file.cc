@@ -6,7 +6,6 @@
 #include <myolines/base/names.h>
 #include <myolines/body/motion_file.h>
 #include <myolines/meshes/field_grid.h>
-#include <myolines/meshes/tidy.h>
 #include <myolines/scene/columns.h>
 #include <myolines/scene/csv.h>
 
@@ -44,12 +43,6 @@ namespace myolines
     using Source = MotionFile::Source;
     using Row    = MotionFile::Row;
 
-    std::string lower(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::tolower(c); });
-      return text;
-    }
-
     [[noreturn]] void refuse(const std::filesystem::path &file, const std::string &what, const std::string &expected)
     {
       throw InputError(InputProblem{file.string(), what, expected, ""});
@@ -83,10 +76,7 @@ namespace myolines
         mesh = divided(read_field_grid(file));
       if (mesh.cells.empty())
         refuse(file, "the mesh has no cells", "a mesh with arrays of its points");
-      for (PlainMesh::Position &x : mesh.points)
-        for (double &c : x)
-          c *= scale;
-      return mesh;
+      return scaled(std::move(mesh), scale);
     }
 
     class MotionMesh : public Source
@@ -112,14 +102,13 @@ namespace myolines
       MotionMesh(const std::filesystem::path &file, const double scale, const PlainMesh &mesh)
         : sampler_(mesh)
       {
-        const auto [low, high] = box_around(mesh);
-        extent                 = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+        extent = sampler_.size();
         std::vector<std::string> there;
         for (const PlainMesh::Field &field : mesh.point_fields)
           {
             there.push_back("\"" + field.name + "\" (" + std::to_string(field.n_components) + ")");
             for (std::size_t q = 0; q < quantities.size(); ++q)
-              if (field.n_components == 3 && lower(field.name) == quantities[q])
+              if (field.n_components == 3 && scene::lower_case(field.name) == quantities[q])
                 {
                   has[q]     = true;
                   values_[q] = field.values;
@@ -195,10 +184,8 @@ namespace myolines
 
       std::optional<std::size_t> find(const std::string &name) const
       {
-        for (std::size_t i = 0; i < table_.header.size(); ++i)
-          if (lower(scene::split_column_name(table_.header[i]).quantity) == name)
-            return i;
-        return std::nullopt;
+        const std::vector<std::size_t> found = scene::matching_columns(name, table_.header);
+        return found.empty() ? std::nullopt : std::optional<std::size_t>(found.front());
       }
 
       /// In SI units.

@@ -12,11 +12,11 @@ namespace myolines
   {
     using Cells = std::vector<unsigned int>; // numbers of coarse cells
 
-    /// Unknowns of a separator: one dense front.
-    void add_front(const double unknowns, FactorisationCost &cost)
+    /// Unknowns of a separator: one dense front, as often as @p times.
+    void add_front(const double unknowns, const double times, FactorisationCost &cost)
     {
-      cost.cubes += unknowns * unknowns * unknowns;
-      cost.squares += unknowns * unknowns;
+      cost.cubes += times * unknowns * unknowns * unknowns;
+      cost.squares += times * unknowns * unknowns;
     }
 
     /// Adds @p times the fronts of a box of a x b x c nodes, cut across its longest edge.
@@ -24,11 +24,8 @@ namespace myolines
     {
       std::array<double, 3> edges{a, b, c};
       std::sort(edges.begin(), edges.end());
-      FactorisationCost front;
-      const double      cut = edges[2] <= 3 ? edges[2] : 1; // what is small is eliminated at once
-      add_front(3 * edges[0] * edges[1] * cut, front);
-      cost.cubes += times * front.cubes;
-      cost.squares += times * front.squares;
+      const double cut = edges[2] <= 3 ? edges[2] : 1; // what is small is eliminated at once
+      add_front(3 * edges[0] * edges[1] * cut, times, cost);
       if (cut == 1)
         add_box(edges[0], edges[1], (edges[2] - 1) / 2, 2 * times, cost);
     }
@@ -99,7 +96,7 @@ namespace myolines
                 best  = std::move(halves);
               }
           }
-        add_front(least, cost_);
+        add_front(least, 1, cost_);
         return best;
       }
 

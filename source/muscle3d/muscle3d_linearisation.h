@@ -37,8 +37,13 @@ namespace myolines
     const SparseMatrix              &softened_sparse(const WeightsByOrder &weights) override { return assemble(weights, true); }
     const MultilevelData            *multilevel() const override;
     bool                             has_two_levels() const override { return discretisation_.space->degree() > 1; }
-    std::optional<FactorisationCost> factorisation_cost() const override { return nested_dissection(*discretisation_.space); }
-    TwoLevel                        *two_level(const WeightsByOrder &weights, bool softened) override;
+    std::optional<FactorisationCost> factorisation_cost() const override
+    {
+      if (!factorisation_cost_)
+        factorisation_cost_ = nested_dissection(*discretisation_.space);
+      return factorisation_cost_;
+    }
+    TwoLevel *two_level(const WeightsByOrder &weights, bool softened) override;
 
     const LocalEquations *local() const override { return this; }
     Vector                make_local() const override { return discretisation_.modes->make_vector(); }
@@ -109,6 +114,7 @@ namespace myolines
     bool                                               softened_ = false; ///< whether it is
     bool                                               current_  = false;
     mutable std::unique_ptr<MultilevelData>            multilevel_;
+    mutable std::optional<FactorisationCost>           factorisation_cost_;
     std::unique_ptr<LeanCells>                         lean_; ///< none if the quadrature is lean already
     std::unique_ptr<VertexStars>                       stars_;
     std::unique_ptr<TwoLevel>                          two_level_;

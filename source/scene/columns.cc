@@ -32,14 +32,14 @@ namespace myolines::scene
       const auto found = std::find_if(std::begin(units), std::end(units), [&](const Unit &unit) { return name == unit.name; });
       return found == std::end(units) ? nullptr : found;
     }
-
-    std::string lower(std::string text)
-    {
-      for (char &c : text)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return text;
-    }
   } // namespace
+
+  std::string lower_case(std::string text)
+  {
+    for (char &c : text)
+      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+  }
 
   ColumnName split_column_name(const std::string &name)
   {
@@ -54,7 +54,7 @@ namespace myolines::scene
   {
     const std::function<std::string(const std::string &)> keys[] = {
         [](const std::string &text) { return text; }, [](const std::string &text) { return split_column_name(text).quantity; },
-        [](const std::string &text) { return lower(split_column_name(text).quantity); }};
+        [](const std::string &text) { return lower_case(split_column_name(text).quantity); }};
     std::vector<std::size_t> found;
     for (const auto &key : keys)
       {

@@ -8,7 +8,6 @@
 #include <myolines/study/csv_table.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace myolines::study
@@ -75,12 +74,6 @@ namespace myolines::study
       return names;
     }
 
-    std::string lower(std::string text)
-    {
-      std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      return text;
-    }
-
     /// The header that is the column, or is without its unit; with other capitals if there is none of these.
     std::string header_in(const VerifiedQuantity &quantity, const CsvTable &table)
     {
@@ -90,11 +83,11 @@ namespace myolines::study
         if (header[i] == quantity.column || names[i] == quantity.column)
           found.push_back(header[i]);
       for (std::size_t i = 0; i < header.size() && found.empty(); ++i)
-        if (lower(names[i]) == lower(quantity.column))
+        if (scene::lower_case(names[i]) == scene::lower_case(quantity.column))
           found.push_back(header[i]);
       if (found.empty())
         refuse_quantity(quantity, quantity.file + " has no column \"" + quantity.column + "\"", "one of " + join(header),
-                        nearest_hint(lower(quantity.column), names));
+                        nearest_hint(scene::lower_case(quantity.column), names));
       if (found.size() > 1)
         refuse_quantity(quantity, quantity.file + " has " + std::to_string(found.size()) + " columns \"" + quantity.column + "\"",
                         "the whole header, with its unit");

@@ -129,24 +129,31 @@ namespace myolines
       EXPECT_LT(other.l2_norm(), 1e-7 * direct.l2_norm());
     }
 
-    TEST(InitialMotion, IsThatOfTheFormulasWhereNothingIsPrescribed)
+    /// check(place, displacement, velocity) of every node of this rank at the start of a run with @p p.
+    template <typename Check>
+    void for_each_initial_node(const Muscle3dParameters &p, const Check &check)
     {
-      Muscle3dParameters p   = passive_block();
-      p.boundary             = {held(0)};
-      p.initial.displacement = std::array<std::string, 3>{{"0.1*x", "0.02*z", "1e-4"}};
       WorkLedger           ledger;
       const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
       const State          state = system.initial_state(0);
       const NodeSpace     &space = *system.discretisation().space;
       for (const auto node : space.nodes().locally_owned_dofs())
-        {
-          const dealii::Point<3> &x    = space.node_position(node);
-          const bool              held = x[0] < 1e-12;
-          EXPECT_DOUBLE_EQ(state.u(3 * node), held ? 0 : 0.1 * x[0]);
-          EXPECT_DOUBLE_EQ(state.u(3 * node + 1), held ? 0 : 0.02 * x[2]);
-          EXPECT_DOUBLE_EQ(state.u(3 * node + 2), held ? 0 : 1e-4);
-        }
-      EXPECT_EQ(state.v.linfty_norm(), 0);
+        check(space.node_position(node), dealii::Tensor<1, 3>({state.u(3 * node), state.u(3 * node + 1), state.u(3 * node + 2)}),
+              dealii::Tensor<1, 3>({state.v(3 * node), state.v(3 * node + 1), state.v(3 * node + 2)}));
+    }
+
+    TEST(InitialMotion, IsThatOfTheFormulasWhereNothingIsPrescribed)
+    {
+      Muscle3dParameters p   = passive_block();
+      p.boundary             = {held(0)};
+      p.initial.displacement = std::array<std::string, 3>{{"0.1*x", "0.02*z", "1e-4"}};
+      for_each_initial_node(p, [](const auto &x, const auto &u, const auto &v) {
+        const bool held = x[0] < 1e-12;
+        EXPECT_DOUBLE_EQ(u[0], held ? 0 : 0.1 * x[0]);
+        EXPECT_DOUBLE_EQ(u[1], held ? 0 : 0.02 * x[2]);
+        EXPECT_DOUBLE_EQ(u[2], held ? 0 : 1e-4);
+        EXPECT_EQ(v.norm(), 0);
+      });
     }
 
     /// "n" hexahedra per edge of a box around the block, of degree 1, with the linear motion u = (0.1 x, 0.02 z, 1e-4) and v = -u/s.
@@ -188,20 +195,14 @@ namespace myolines
 
     void expect_the_linear_motion(const Muscle3dParameters &p)
     {
-      WorkLedger           ledger;
-      const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
-      const State          state = system.initial_state(0);
-      const NodeSpace     &space = *system.discretisation().space;
-      for (const auto node : space.nodes().locally_owned_dofs())
-        {
-          const dealii::Point<3> &x   = space.node_position(node);
-          const double            u[] = {0.1 * x[0], 0.02 * x[2], 1e-4};
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              EXPECT_NEAR(state.u(3 * node + c), u[c], 1e-15);
-              EXPECT_NEAR(state.v(3 * node + c), -u[c], 1e-15);
-            }
-        }
+      for_each_initial_node(p, [](const auto &x, const auto &u, const auto &v) {
+        const double expected[] = {0.1 * x[0], 0.02 * x[2], 1e-4};
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            EXPECT_NEAR(u[c], expected[c], 1e-15);
+            EXPECT_NEAR(v[c], -expected[c], 1e-15);
+          }
+      });
     }
 
     TEST(InitialMotion, IsThatOfAMeshWhereverItsPointsAre)
