@@ -71,6 +71,9 @@ namespace myolines
         problem_ = std::make_unique<Epetra_LinearProblem>();
         problem_->SetOperator(copy_.get());
         solver_.reset(Amesos().Create(copy_->NumGlobalRows64() <= largest_for_klu ? "Klu" : "Mumps", *problem_));
+        Teuchos::ParameterList settings;
+        settings.sublist("mumps").set("ICNTL(8)", 0); // no scaling: rows of one kind of force, diagonals alike
+        solver_->SetParameters(settings);
         check(solver_->SymbolicFactorization(), "symbolic");
       }
 

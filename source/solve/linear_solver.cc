@@ -223,8 +223,8 @@ namespace myolines
                                                      const LocalPart *local, const double tolerance, const double enough)
   {
     LinearReport report;
-    // The inner tests of Belos differ from the true residual by round-off: let them stop a little later.
-    double     inner    = 0.9 * tolerance;
+    // Belos' own tests differ by round-off: let them stop a little later. With kept factors half a decade is cheaper than Newton.
+    double     inner    = (preconditioner_->exact() ? 0.3 : 0.9) * tolerance;
     const auto verified = [&] {
       report.relative_residual = true_residual(system, b, x, local);
       if (report.relative_residual > tolerance)
@@ -233,13 +233,13 @@ namespace myolines
     };
 
     std::fill(x.begin(), x.end(), 0);
-    if (preconditioner_->exact())
+    if (preconditioner_->exact() && fresh_) // one application should do
       {
         precondition(system, b.data(), x.data());
         report.iterations = 1;
         if (verified())
           return report;
-        if (!(report.relative_residual < 1)) // a kept factorisation may have become useless
+        if (!(report.relative_residual < 1))
           std::fill(x.begin(), x.end(), 0);
       }
 

@@ -120,12 +120,32 @@ namespace myolines
     ///@{
     /// As of a double, lane by lane.
     friend MYOLINES_INLINE Lanes sqrt(const Lanes &x) { return x.map(__builtin_sqrt); }
-    friend MYOLINES_INLINE Lanes cbrt(const Lanes &x) { return x.map(__builtin_cbrt); }
     friend MYOLINES_INLINE Lanes exp(const Lanes &x) { return x.map(__builtin_exp); }
     friend MYOLINES_INLINE Lanes log(const Lanes &x) { return x.map(__builtin_log); }
     friend MYOLINES_INLINE Lanes sin(const Lanes &x) { return x.map(__builtin_sin); }
     friend MYOLINES_INLINE Lanes cos(const Lanes &x) { return x.map(__builtin_cos); }
     ///@}
+
+    /// The cube root of finite numbers [-], to two units of its last digit, all lanes at once: a third of the bits of a number, exponent
+    /// and all, is the root to 7 %, and Halley's iteration leaves two thirds of the cube of an error.
+    friend MYOLINES_INLINE Lanes cbrt(const Lanes &x)
+    {
+      constexpr Real bias = sizeof(Real) == 8 ? 3071454945866678272. : 710235477.; // two thirds of the bits of 1
+      return each([&](const int p) {
+        const Vec size = x.part[p] < 0 ? -x.part[p] : x.part[p];
+        Bits      bits;
+        __builtin_memcpy(&bits, &size, sizeof(bits));
+        bits = __builtin_convertvector(__builtin_convertvector(bits, Vec) / 3 + bias, Bits);
+        Vec y;
+        __builtin_memcpy(&y, &bits, sizeof(y));
+        for (int k = 0; k < 3; ++k)
+          {
+            const Vec cube = y * y * y;
+            y *= (cube + 2 * size) / (2 * cube + size);
+          }
+        return size == 0 ? x.part[p] : x.part[p] < 0 ? -y : y;
+      });
+    }
 
     /// f of a double, lane by lane; f is no inline function, which would be compiled for a wide instruction set only.
     template <typename Function>

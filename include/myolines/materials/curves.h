@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <myolines/base/lanes.h>
+#include <myolines/base/sine_cosine.h>
 
 namespace myolines::curves
 {
@@ -70,15 +70,16 @@ namespace myolines::curves
   {
     if (user != nullptr && user->active.n > 0)
       return evaluate(user->active, stretch);
-    constexpr double c[7] = {0.642587, 0.325980, 0.328204, 0.015389, 0.139240, 0.001802, 0.012561};
-    constexpr double a[7] = {1.290128, 5.308970, 6.744187, 19.823677, 8.038287, 32.237736, 23.117614};
-    constexpr double b[7] = {0.629168, -4.520102, 1.689156, -7.386155, 2.543022, -6.454098, -2.643347};
+    constexpr double c[7]   = {0.642587, 0.325980, 0.328204, 0.015389, 0.139240, 0.001802, 0.012561};
+    constexpr double a[7]   = {1.290128, 5.308970, 6.744187, 19.823677, 8.038287, 32.237736, 23.117614};
+    constexpr double b[7]   = {0.629168, -4.520102, 1.689156, -7.386155, 2.543022, -6.454098, -2.643347};
+    const T          within = select(stretch < T(0.4), T(0.4), select(stretch > T(1.75), T(1.75), stretch)); // bounds the arguments
     T                value(0.), slope(0.);
     for (int k = 0; k < 7; ++k)
       {
-        const T argument = T(a[k]) * stretch + T(b[k]);
-        value += T(c[k]) * sin(argument);
-        slope += T(c[k] * a[k]) * cos(argument);
+        const SineCosine<T> at = sine_and_cosine(T(a[k]) * within + T(b[k]));
+        value += T(c[k]) * at.sine;
+        slope += T(c[k] * a[k]) * at.cosine;
       }
     const auto inside = [&](const T &x) { return select(stretch < T(0.4), T(0.), select(stretch > T(1.75), T(0.), x)); };
     return {inside(value), inside(slope)};

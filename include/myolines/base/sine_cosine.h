@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <myolines/base/lanes.h>
+
+namespace myolines
+{
+  /// Taylor coefficients up to degree 22.
+  struct TaylorCoefficients
+  {
+    double of[23]; ///< of x^n: those of cos x where n is even, of sin x where it is odd
+
+    constexpr TaylorCoefficients()
+      : of{1, 1}
+    {
+      for (int n = 2; n < 23; ++n)
+        of[n] = -of[n - 2] / ((n - 1) * n);
+    }
+  };
+
+  /// sin x and cos x [-].
+  template <typename T>
+  struct SineCosine
+  {
+    T sine, cosine;
+  };
+
+  /// Of x [rad], at most 1e5 in size, to 4e-16: x is brought to [-pi/2, pi/2] by a multiple of pi, where Taylor polynomials of degree 21
+  /// and 22 are exact to rounding. T is double or Lanes; all lanes are found at once, while sin() and cos() of Lanes are found one by one.
+  template <typename T>
+  MYOLINES_INLINE SineCosine<T> sine_and_cosine(const T &x)
+  {
+    constexpr TaylorCoefficients c;
+    // Added and taken away, it rounds to a whole number.
+    constexpr double rounding = 6755399441055744.; // 1.5 * 2^52
+    // The first part of pi has 33 bits, so that its product with a whole number up to 2^20 is exact.
+    constexpr double pi_first = 3.1415926534682512, pi_rest = 1.2154201013012385e-10, per_pi = 0.318309886183790672;
+
+    const T multiple = (x * T(per_pi) + T(rounding)) - T(rounding);
+    const T half     = (multiple * T(0.5) + T(rounding)) - T(rounding);
+    const T odd      = multiple - T(2.) * half; // -1, 0 or 1
+    const T sign     = T(1.) - T(2.) * odd * odd;
+    const T r        = (x - multiple * T(pi_first)) - multiple * T(pi_rest);
+    const T square   = r * r;
+    T       sine(c.of[21]), cosine(c.of[22]);
+    for (int n = 20; n >= 0; n -= 2)
+      {
+        cosine = cosine * square + T(c.of[n]);
+        if (n > 0)
+          sine = sine * square + T(c.of[n - 1]);
+      }
+    return {sign * r * sine, sign * cosine};
+  }
+} // namespace myolines
