@@ -53,6 +53,16 @@ namespace myolines
     compare_sines_and_cosines<Wide>();
   }
 
+  TEST(Functions, SineAndCosineOfFloats)
+  {
+    for (float x = -100; x < 100; x += 0.1f)
+      {
+        const auto at = sine_and_cosine(Lanes<InstructionSet::baseline, float>(x));
+        EXPECT_NEAR(at.sine[0], std::sin(double(x)), 3e-7) << x;
+        EXPECT_NEAR(at.cosine[0], std::cos(double(x)), 3e-7) << x;
+      }
+  }
+
   TEST(Functions, CubeRootsHaveAllDigitsAtAnySize)
   {
     compare_cube_roots<double>();

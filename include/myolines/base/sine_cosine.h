@@ -25,16 +25,24 @@ namespace myolines
     T sine, cosine;
   };
 
-  /// Of x [rad], at most 1e5 in size, to 4e-16: x is brought to [-pi/2, pi/2] by a multiple of pi, where Taylor polynomials of degree 21
-  /// and 22 are exact to rounding. T is double or Lanes; all lanes are found at once, while sin() and cos() of Lanes are found one by one.
+  template <typename T>
+  constexpr bool in_single_precision = false; ///< whether T is Lanes of floats
+  template <InstructionSet isa, int n>
+  constexpr bool in_single_precision<Lanes<isa, float, n>> = true;
+
+  /// Of x [rad], at most 1e5 in size, to 4e-16 (in single precision at most 100, to 3e-7): x is brought to [-pi/2, pi/2] by a multiple of
+  /// pi, where Taylor polynomials of degree 21 and 22 are exact to rounding. T is double or Lanes; all lanes are found at once, while sin()
+  /// and cos() of Lanes are found one by one.
   template <typename T>
   MYOLINES_INLINE SineCosine<T> sine_and_cosine(const T &x)
   {
     constexpr TaylorCoefficients c;
-    // Added and taken away, it rounds to a whole number.
-    constexpr double rounding = 6755399441055744.; // 1.5 * 2^52
-    // The first part of pi has 33 bits, so that its product with a whole number up to 2^20 is exact.
-    constexpr double pi_first = 3.1415926534682512, pi_rest = 1.2154201013012385e-10, per_pi = 0.318309886183790672;
+    constexpr bool               single = in_single_precision<T>;
+    constexpr double             rounding =
+        single ? 12582912. : 6755399441055744.; // 1.5 * 2^23 or 2^52: added and taken away, it rounds to a whole number
+    // The first part of pi is short, so that its product with a whole number is exact.
+    constexpr double pi_first = single ? 3.140625 : 3.1415926534682512, pi_rest = single ? 9.67653589793e-4 : 1.2154201013012385e-10;
+    constexpr double per_pi = 0.318309886183790672;
 
     const T multiple = (x * T(per_pi) + T(rounding)) - T(rounding);
     const T half     = (multiple * T(0.5) + T(rounding)) - T(rounding);
