@@ -10,6 +10,7 @@ FROM debian:${DEBIAN}
 ARG DEBIAN_FRONTEND=noninteractive
 COPY --from=build /src/myolines/build/release/myolines_*.deb /tmp/
 RUN apt-get update -qq && apt-get install -y -qq /tmp/myolines_*.deb && rm -rf /tmp/*.deb /var/lib/apt/lists/*
-ENV OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+ENV OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
+    PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 WORKDIR /work
 ENTRYPOINT ["myolines"]

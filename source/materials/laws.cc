@@ -10,9 +10,9 @@ namespace myolines
     LawKernelSets kernels_of_list(const unsigned int number)
     {
 #if defined(__x86_64__)
-      return {law_kernels_baseline[number], law_kernels_avx2[number], law_kernels_avx512[number]};
+      return {{law_kernels_baseline[number], law_kernels_avx2[number], law_kernels_avx512[number]}};
 #else
-      return {law_kernels_baseline[number]};
+      return {{law_kernels_baseline[number]}};
 #endif
     }
   } // namespace

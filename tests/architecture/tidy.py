@@ -58,6 +58,11 @@ def units(root, scratch):
         yield room, files, list(options)
 
 
+def is_of(name, room):
+    """Whether a unit is one of a room: `kernels` is source/kernels, `python` python/source, `integrators` also integrators/bdf2.cc."""
+    return name == room or name == "source/" + room or name.startswith(room + "/")
+
+
 class Reading:
     """Units behind one precompiled header, or more where they have other options that count for it."""
 
@@ -88,11 +93,16 @@ class Reading:
 
 
 def look(root, scratch, *rooms):
+    """Prints what is found in these rooms, or in all; a room that does not exist is an error, or it would pass as clean."""
     reading = Reading(root, scratch, os.path.join(root, ".clang-tidy"))
+    everything = list(units(root, scratch))
+    chosen = {room: [unit for unit in everything if is_of(unit[0], room)] for room in rooms}
+    unknown = [room for room, its_units in chosen.items() if not its_units]
+    if unknown:
+        print("no such room: " + ", ".join(unknown), file=sys.stderr)
+        return 2
     found = set()
-    for name, files, options in units(root, scratch):
-        if rooms and not any(name == room or name == "source/" + room for room in rooms):
-            continue
+    for name, files, options in [unit for its_units in chosen.values() for unit in its_units] if rooms else everything:
         print(f"{name}: {len(files)} files", file=sys.stderr, flush=True)
         text = reading.findings(name, files, options)
         for finding in re.split(r"^(?=/)", text, flags=re.M):

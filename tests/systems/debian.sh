@@ -26,7 +26,8 @@ if [ -n "${CCACHE_DIR:-}" ]; then
   mountpoint -q "$built/ccache" || mount --bind "$CCACHE_DIR" "$built/ccache"
 fi
 mkdir -p "$built/src/myolines"
-git -C "$repository" archive HEAD | tar -x -C "$built/src/myolines"
+# An index of its own: what has changed since the last time is written anew, so that it is compiled, and what is gone is removed.
+GIT_INDEX_FILE=$built/src/index git -C "$repository" --work-tree="$built/src/myolines" read-tree --reset -u HEAD
 
 begin "./myolines.sh run input/isometric_block.xml"
 inside "$built" "cd /src/myolines && ./myolines.sh run input/isometric_block.xml --overwrite --set system/geometry/refinement=1"

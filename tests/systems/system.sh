@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# What debian.sh and packages.sh share: empty Debian systems below folders, and steps that are told. Read with `source`, with $1 = 12 or 13.
+# What debian.sh, packages.sh and recipe.sh share: empty Debian systems below folders, and steps that are told. Read with `source`, with $1 = 12 or 13.
 # MIRROR is another mirror of Debian than http://deb.debian.org/debian.
 if [ "$(id -u)" -ne 0 ]; then
   echo "a chroot needs root" >&2
@@ -38,14 +38,18 @@ finish_with() {
     if [ $status -eq 0 ]; then echo "Debian: everything works"; else echo "Debian: failed at: $step" >&2; status=1; fi; exit $status' EXIT
 }
 
+# make_system SYSTEM: an empty one where there is none.
+make_system() {
+  [ ! -e "$1/etc/debian_version" ] || return 0
+  debootstrap --variant=minbase "$suite" "$1" "${MIRROR:-http://deb.debian.org/debian}" >"$1.log" 2>&1 || {
+    tail -n 5 "$1.log" >&2
+    exit 1
+  }
+}
+
 # enter SYSTEM: makes it where there is none, with what MPI reads of the processors, and what it talks through.
 enter() {
-  if [ ! -e "$1/etc/debian_version" ]; then
-    debootstrap --variant=minbase "$suite" "$1" "${MIRROR:-http://deb.debian.org/debian}" >"$1.log" 2>&1 || {
-      tail -n 5 "$1.log" >&2
-      exit 1
-    }
-  fi
+  make_system "$1"
   local place
   for place in proc sys dev dev/pts dev/shm; do
     mountpoint -q "$1/$place" || mount --bind "/$place" "$1/$place"
