@@ -13,7 +13,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SCENE = os.path.join(HERE, "..", "..", "input", "isometric_block.xml")
 
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1",
-                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1",
+                   OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_rmaps_base_oversubscribe="1", DEAL_II_NUM_THREADS="1",
                    PRTE_MCA_rmaps_default_mapping_policy=":oversubscribe")
 
 
@@ -42,10 +42,15 @@ class Cost:
         return self.second(phase) / self.count(what) if self.count(what) else 0.0
 
 
-def spawn(command, log):
-    """Runs a command; returns its resources (children included) and its wall-clock seconds. Raises if it fails."""
+def run_command(program, scene, settings, out):
+    """Words that run `scene` with overrides {path: value}."""
+    return [program, "run", scene, "--out", out, "--quiet", "--overwrite"] + [word for path, value in settings.items() for word in ("--set", f"{path}={value}")]
+
+
+def spawn(command, log, folder=None):
+    """Runs a command, in `folder` if given; returns its resources (children included) and its wall-clock seconds. Raises if it fails."""
     begin = time.monotonic()
-    process = subprocess.Popen(command, stdout=log, stderr=log, env=ENVIRONMENT)
+    process = subprocess.Popen(command, stdout=log, stderr=log, env=ENVIRONMENT, cwd=folder)
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode != 0:
@@ -56,9 +61,7 @@ def spawn(command, log):
 def run(program, settings, ranks=1, scene=SCENE):
     """The cost of one run of `scene` with overrides {path: value}."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, "run", scene, "--out", os.path.join(folder, "out"), "--quiet"]
-        for path, value in settings.items():
-            command += ["--set", f"{path}={value}"]
+        command = run_command(program, scene, settings, os.path.join(folder, "out"))
         if ranks > 1:
             command = ["mpirun", "-np", str(ranks)] + command
         with open(os.path.join(folder, "log"), "w+") as log:

@@ -9,7 +9,7 @@ import signal
 import subprocess
 import time
 
-from block import ENVIRONMENT
+from block import ENVIRONMENT, run_command
 
 
 class MeasuredRun:
@@ -57,9 +57,7 @@ def cpu_seconds(pid):
 
 def measured_run(program, scene, settings, folder, limit=float("inf")):
     """Runs `scene` with overrides {path: value}; asks it to stop after `limit` seconds of user time."""
-    command = [program, "run", scene, "--out", folder, "--quiet", "--overwrite"]
-    for path, value in settings.items():
-        command += ["--set", f"{path}={value}"]
+    command = run_command(program, scene, settings, folder)
     log = folder + ".err"
     with open(log, "w") as errors:
         process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=errors, env=ENVIRONMENT)

@@ -120,12 +120,22 @@ def changed(old, new, text=None):
     return text.replace(old, new, 1)
 
 
+CLUSTER = "made: 2026-01-31, commit abc1234, load 0.5, on a cluster\n"
+
+
+def needing(table=TABLE, made=CLUSTER):
+    """The page, on which the second block needs something instead of being long."""
+    return changed(CLUSTER, made, changed("long: an hour", "needs: another program", page(long=table)))
+
+
 RIGHT = (
     ("as printed", page(), []),
     ("within the digits", page(TABLE.replace("1.23e-4", "1.3e-4").replace("-0.056", "-5.5e-2")), []),
     ("other seconds", page(TABLE.replace("0.5", "99.5")), []),
     ("a long block, which is not run", page(long=TABLE.replace("1.23e-4", "9e-4")), []),
     ("a long block, run", page(), ["--all"]),
+    ("a block that needs something, which is not run", needing(TABLE.replace("1.23e-4", "9e-4")), ["--all"]),
+    ("a block that needs something, run", needing(), ["exact"]),
 )
 
 # (what, page, options, line of the page, part of the complaint)
@@ -141,6 +151,7 @@ DIFFERENT = (
     ("another head", page(TABLE.replace("CPU [s]", "wall [s]")), [], 15, 'wall [s]: "wall [s]" is printed'),
     ("a number without digits", page(long=TABLE.replace("1.23e-4", "1.24e-4")), ["exact"], 29, 'error: "1.24e-4" is printed'),
     ("all blocks", page(long=TABLE.replace("20 + 1", "21 + 1")), ["--all"], 30, "21 + 1"),
+    ("a block that needs something", needing(TABLE.replace("20 + 1", "21 + 1")), ["exact"], 30, "21 + 1"),
     ("a command that fails", changed("print_table.py build/release/myolines 'a word'", "fails.py"), [], 9, "no such scene"),
 )
 
@@ -162,6 +173,7 @@ BROKEN = (
     ("a program from elsewhere", changed("tests/print_table.py build", "/bin/echo build"), 9, "/bin/echo is neither"),
     ("a shell", changed("'a word'", "| sort"), 9, "without a shell"),
     ("no date of seconds", changed("made: 2026-01-31, commit abc1234, load 0.5\n", ""), 9, 'has no "made:'),
+    ("no date where something is needed", changed("not compared: [s]\n", "", needing(made="")), 21, 'has no "made:'),
     ("a date of another form", changed("commit abc1234, load 0.5\n", "some day\n"), 9, "is not of the form"),
 )
 
