@@ -5,6 +5,7 @@
 #include <myolines/output/checkpoint.h>
 #include <myolines/output/text_file.h>
 
+#include <boost/serialization/utility.hpp> // pairs are sent between ranks
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
