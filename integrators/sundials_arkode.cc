@@ -19,8 +19,8 @@ namespace myolines
       MethodFacts facts;
       facts.name = "arkode";
       facts.summary =
-          "ARKODE of SUNDIALS: explicit, diagonally implicit and additive Runge-Kutta methods by the names of their tables; steps "
-          "given or chosen by error.";
+          "ARKODE of SUNDIALS: explicit, diagonally implicit and additive Runge-Kutta methods by the names of their tables or by "
+          "their coefficients; steps given or chosen by error.";
       facts.reference    = "Reynolds et al., doi:10.1145/3594632; the papers of the tables are in the documentation of ARKODE";
       facts.order        = 3;
       facts.stability    = "that of the table; L-stable for the default one";
@@ -252,15 +252,19 @@ namespace myolines
         .number("absolute tolerance", 1e-12, "m, m/s", Range::positive(), "The same beyond that.");
     entry.make = [](const scene::Node &node, const IntegratorContext &context) { return std::make_unique<FixedArkode>(node, context); };
     entry.make_self_paced = [](const scene::Node &node, const IntegratorContext &context, const ErrorControlLimits &limits) {
-      if (arkode_tables(node).embedded_order() == 0)
-        node.refuse("explicit table", "the table has no embedded formula to estimate errors with", "another table",
-                    "or \"time/control/type\" = \"fixed\"");
+      if (const ArkodeTables tables = arkode_tables(node); tables.embedded_order() == 0)
+        node.refuse(tables.own ? "embedded" : "explicit table", "the table has no embedded formula to estimate errors with",
+                    tables.own ? "weights of order 1 or more" : "another table", "or \"time/control/type\" = \"fixed\"");
       return std::make_unique<AdaptiveArkode>(node, context, limits);
     };
     entry.derived = [](const scene::Node &node) {
-      const ArkodeTables tables = arkode_tables(node);
-      return std::vector<std::string>{"order " + std::to_string(tables.order()) + ", embedded order " +
-                                      std::to_string(tables.embedded_order()) + ", " + std::to_string(tables.stages()) + " stages"};
+      const ArkodeTables       tables = arkode_tables(node);
+      std::vector<std::string> lines{"order " + std::to_string(tables.order()) + ", embedded order " +
+                                     std::to_string(tables.embedded_order()) + ", " + std::to_string(tables.stages()) + " stages"};
+      if (tables.own)
+        for (const std::string &line : tell(facts_of(*tables.own)))
+          lines.push_back(line);
+      return lines;
     };
     return entry;
   }

@@ -27,6 +27,9 @@ namespace myolines
       /// @throws InputError with everything that is wrong.
       const scene::Node &node() const;
 
+      /// A copy, for what runs without the lock of Python: another thread may change the scene meanwhile.
+      scene::Node copied_node() const { return node(); }
+
       /// Sets texts by their paths. @throws InputError, and changes nothing, for what is wrong with one of them; what is missing elsewhere
       /// is told by node().
       void set(const std::vector<std::pair<std::string, std::string>> &settings);

@@ -162,14 +162,14 @@ namespace myolines
       std::vector<std::string> check(const Document &document)
       {
         need_mpi();
-        const scene::Node node = document.node();
+        const scene::Node node = document.copied_node();
         return without_lock([&] { return Experiment(node).warnings(); });
       }
 
       std::vector<std::string> plan(const Document &document)
       {
         need_mpi();
-        const scene::Node node = document.node();
+        const scene::Node node = document.copied_node();
         return without_lock([&] { return plan_of(Experiment(node)); });
       }
 

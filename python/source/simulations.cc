@@ -80,7 +80,7 @@ namespace myolines
         explicit Stepped(const Document &scene)
         {
           need_mpi();
-          const scene::Node node = scene.node();
+          const scene::Node node = scene.copied_node();
           without_lock([&] { simulation = std::make_shared<Simulation>(node); });
         }
 

@@ -29,7 +29,7 @@ namespace myolines
       std::shared_ptr<System> make_alone(const Document &scene)
       {
         need_mpi();
-        const scene::Node node  = scene.node();
+        const scene::Node node  = scene.copied_node();
         const auto        alone = without_lock([&] { return std::make_shared<AloneSystem>(node); });
         return std::make_shared<System>(alone, *alone->assembled.system, alone->solver);
       }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/names.h>
 #include <myolines/cli/manual.h>
 #include <myolines/output/version.h>
 
@@ -61,6 +62,8 @@ namespace myolines
         write_command(*nested, name + " ", out);
     }
 
+    // Lists of words have one a line, as words may have blanks.
+
     /// Names between braces, as CLI11 describes a set of values.
     std::string words_of_set(const std::string &type)
     {
@@ -68,33 +71,32 @@ namespace myolines
       if (begin == std::string::npos || end == std::string::npos)
         return "";
       std::string words = type.substr(begin + 1, end - begin - 1);
-      std::replace(words.begin(), words.end(), ',', ' ');
+      std::replace(words.begin(), words.end(), ',', '\n');
       return words;
     }
 
     using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-    /// Options of @p command and of those below it; with sets of values, these go to @p values under "COMMAND OPTION".
-    std::string options_of(const CLI::App &command, const std::string &name, Pairs &values)
+    /// Options of @p command and of those below it, each once; with sets of values, these go to @p values under "COMMAND OPTION".
+    void find_options(const CLI::App &command, const std::string &name, std::vector<std::string> &words, Pairs &values)
     {
-      std::string words;
       for (const CLI::Option *option : command.get_options(all_options))
         for (const std::string &spelling : option->get_lnames())
           {
-            words += " --" + spelling;
+            if (std::find(words.begin(), words.end(), "--" + spelling) == words.end())
+              words.push_back("--" + spelling);
             if (const std::string set = words_of_set(option->get_type_name()); !set.empty())
               values.push_back({name + " --" + spelling, set});
           }
       for (const CLI::App *nested : command.get_subcommands(all_commands))
-        words += options_of(*nested, name, values);
-      return words;
+        find_options(*nested, name, words, values);
     }
 
-    std::string names_of_commands(const CLI::App &app)
+    std::vector<std::string> names_of_commands(const CLI::App &app)
     {
-      std::string names;
+      std::vector<std::string> names;
       for (const CLI::App *command : app.get_subcommands(all_commands))
-        names += (names.empty() ? "" : " ") + command->get_name();
+        names.push_back(command->get_name());
       return names;
     }
 
@@ -118,6 +120,8 @@ namespace myolines
     out << ".SH COMMANDS\n";
     for (const CLI::App *command : app.get_subcommands(all_commands))
       write_command(*command, "", out);
+    out << ".SH ENVIRONMENT\n.TP\n"
+        << bold("MYOLINES_PLUGIN_PATH") << "\nFolders in which plug-ins are looked for first, with colons between them.\n";
     out << ".SH EXIT STATUS\n" << troff(app.get_footer()) << "\n";
   }
 
@@ -126,24 +130,21 @@ namespace myolines
     Pairs first, options, values;
     for (const CLI::App *command : app.get_subcommands(all_commands))
       {
-        const std::string name = command->get_name();
-        options.push_back({name, options_of(*command, name, values).substr(1)});
-        if (const std::string nested = names_of_commands(*command); !nested.empty())
-          first.push_back({name, nested});
+        const std::string        name = command->get_name();
+        std::vector<std::string> spellings;
+        find_options(*command, name, spellings, values);
+        options.push_back({name, join(spellings, "\n")});
+        if (const std::vector<std::string> nested = names_of_commands(*command); !nested.empty())
+          first.push_back({name, join(nested, "\n")});
       }
     for (const auto &[name, words] : arguments)
-      {
-        std::string joined;
-        for (const std::string &word : words)
-          joined += (joined.empty() ? "" : " ") + word;
-        first.push_back({name, joined});
-      }
+      first.push_back({name, join(words, "\n")});
     out << "# Completion of myolines for bash, printed by: myolines completion\n"
         << "_myolines() {\n"
-        << "  local word=$2 command=${COMP_WORDS[1]} here=\"${COMP_WORDS[1]} $3\" words=\n"
+        << "  local word=$2 typed=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} here=\"${COMP_WORDS[1]} $3\" words= IFS=$'\\n'\n"
         << "  COMPREPLY=()\n"
         << "  if [ \"$COMP_CWORD\" = 1 ]; then\n"
-        << "    words=\"" << names_of_commands(app) << " --help --version\"\n"
+        << "    words=\"" << join(names_of_commands(app), "\n") << "\n--help\n--version\"\n"
         << "  elif [[ $word == -* ]]; then\n";
     write_case("command", options, out);
     out << "  elif [ \"$COMP_CWORD\" = 2 ]; then\n";
@@ -151,7 +152,11 @@ namespace myolines
     out << "  else\n";
     write_case("here", values, out);
     out << "  fi\n"
-        << "  [ -z \"$words\" ] || COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+        << "  [ -n \"$words\" ] || return 0\n"
+        << "  word=${word//\\\\/} word=${word#[\\\"\\']}\n"
+        << "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
+        << "  # a blank in a word needs a backslash, but not between quotation marks\n"
+        << "  [[ $typed == [\\\"\\']* ]] || COMPREPLY=(\"${COMPREPLY[@]// /\\\\ }\")\n"
         << "}\n"
         << "complete -o default -F _myolines myolines\n";
   }

@@ -22,7 +22,7 @@ namespace myolines
     /// Adds @p times the fronts of a box of a x b x c nodes, cut across its longest edge.
     void add_box(double a, double b, double c, const double times, FactorisationCost &cost)
     {
-      std::array<double, 3> edges{a, b, c};
+      std::array<double, 3> edges{{a, b, c}};
       std::sort(edges.begin(), edges.end());
       const double cut = edges[2] <= 3 ? edges[2] : 1; // what is small is eliminated at once
       add_front(3 * edges[0] * edges[1] * cut, times, cost);
@@ -115,7 +115,7 @@ namespace myolines
               at     = i;
             }
         const auto place = cells.begin() + static_cast<std::ptrdiff_t>(at);
-        return {Cells(cells.begin(), place), Cells(place, cells.end())};
+        return {{Cells(cells.begin(), place), Cells(place, cells.end())}};
       }
 
       /// Unknowns of the nodes on faces between the halves. Of F faces with V corners in one sheet V + F - 1 edges are sides.

@@ -74,9 +74,7 @@ namespace myolines
                             : tables_.implicit ? whole
                                                : nullptr,
                             t, y, sundials_);
-    require_success(ARKStepSetTableName(memory_, ("ARKODE_" + tables_.implicit.value_or("DIRK_NONE")).c_str(),
-                                        ("ARKODE_" + tables_.explicit_.value_or("ERK_NONE")).c_str()),
-                    "ARKStepSetTableName");
+    tables_.set(memory_);
     ARKStepSetUserData(memory_, this);
     require_success(ARKStepWFtolerances(memory_,
                                         [](N_Vector y, N_Vector weights, void *data) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/names.h>
+#include <myolines/integrators/coefficients.h>
 #include <myolines/integrators/sundials_arkode_tables.h>
+#include <myolines/integrators/sundials_tools.h>
+#include <myolines/scene/numbers.h>
 
+#include <arkode/arkode_arkstep.h>
 #include <arkode/arkode_butcher_dirk.h>
 #include <arkode/arkode_butcher_erk.h>
 
@@ -15,27 +19,81 @@ namespace myolines
 {
   namespace
   {
-    const std::string none = "none", prefix = "ARKODE_";
+    const std::string none = "none", of_the_scene = "own", prefix = "ARKODE_";
 
     using Table = std::unique_ptr<ARKodeButcherTableMem, void (*)(ARKodeButcherTable)>;
 
+    /// With the orders that ARKODE finds, up to 6.
+    Table table_of(const ButcherTable &own)
+    {
+      const std::size_t   n = own.b.size();
+      std::vector<double> a(n * n), b = own.b, c(n), embedded = own.embedded;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j <= i; ++j)
+          {
+            a[i * n + j] = own.a[i][j];
+            c[i] += own.a[i][j];
+          }
+      Table table(
+          ARKodeButcherTable_Create(static_cast<int>(n), 0, 0, c.data(), a.data(), b.data(), embedded.empty() ? nullptr : embedded.data()),
+          ARKodeButcherTable_Free);
+      int order = 0, embedded_order = 0;
+      if (ARKodeButcherTable_CheckOrder(table.get(), &order, &embedded_order, nullptr) < -1)
+        throw std::logic_error("ARKODE does not take a table of coefficients");
+      table->q = order;
+      table->p = embedded.empty() ? 0 : embedded_order;
+      return table;
+    }
+
     Table load(const ArkodeTables &tables)
     {
+      if (tables.own)
+        return table_of(*tables.own);
       return {tables.implicit ? ARKodeButcherTable_LoadDIRKByName((prefix + *tables.implicit).c_str())
                               : ARKodeButcherTable_LoadERKByName((prefix + *tables.explicit_).c_str()),
               ARKodeButcherTable_Free};
     }
 
-    std::vector<std::string> with_none(std::vector<std::string> names)
+    std::vector<std::string> with_none_and_own(std::vector<std::string> names)
     {
       names.insert(names.begin(), none);
+      names.push_back(of_the_scene);
       return names;
+    }
+
+    /// The coefficients of the scene, for the table that is @p implicit or not.
+    ButcherTable own_table(const scene::Node &integrator, const bool implicit)
+    {
+      ButcherTable table = read_coefficients(integrator);
+      for (std::size_t i = 0; i < table.a.size(); ++i)
+        if (const double diagonal = table.a[i][i]; implicit ? !(diagonal >= 0) : diagonal != 0)
+          integrator.refuse("A", "the diagonal of row " + std::to_string(i + 1) + " is " + scene::format_number(diagonal),
+                            implicit ? "positive, or 0 for an explicit stage"
+                                     : "0: stages of an explicit method need none but earlier ones");
+      if (implicit && table.is_explicit())
+        integrator.refuse("A", "there is no implicit stage", "a diagonal that is not 0 in all rows",
+                          "an explicit method is an \"explicit table\", with \"implicit table\" = \"none\"");
+      return table;
     }
   } // namespace
 
   int ArkodeTables::order() const { return load(*this)->q; }
   int ArkodeTables::embedded_order() const { return load(*this)->p; }
   int ArkodeTables::stages() const { return load(*this)->stages; }
+
+  void ArkodeTables::set(void *memory) const
+  {
+    if (!own)
+      {
+        require_success(ARKStepSetTableName(memory, (prefix + implicit.value_or("DIRK_NONE")).c_str(),
+                                            (prefix + explicit_.value_or("ERK_NONE")).c_str()),
+                        "ARKStepSetTableName");
+        return;
+      }
+    const Table table = load(*this); // of which ARKODE makes a copy
+    require_success(ARKStepSetTables(memory, table->q, table->p, implicit ? table.get() : nullptr, implicit ? nullptr : table.get()),
+                    "ARKStepSetTables");
+  }
 
   double ArkodeTables::stable_step(const double stiffness, const double rates) const
   {
@@ -115,10 +173,14 @@ namespace myolines
   void declare_arkode_tables(scene::Schema &schema)
   {
     schema
-        .choice("implicit table", "ESDIRK325L2SA_5_2_3", with_none(arkode_implicit_tables()),
-                "Diagonally implicit Runge-Kutta method; the last numbers of a name are stages, order of the error estimate, order.")
-        .choice("explicit table", none, with_none(arkode_explicit_tables()),
-                "Explicit Runge-Kutta method; with an implicit one of the same name: the additive method, which needs \"split\".")
+        .choice("implicit table", "ESDIRK325L2SA_5_2_3", with_none_and_own(arkode_implicit_tables()),
+                "Diagonally implicit Runge-Kutta method; the last numbers of a name are stages, order of the error estimate, order; "
+                "\"own\": that of \"A\".")
+        .choice("explicit table", none, with_none_and_own(arkode_explicit_tables()),
+                "Explicit Runge-Kutta method; with an implicit one of the same name: the additive method, which needs \"split\"; "
+                "\"own\": that of \"A\".");
+    declare_coefficients(schema);
+    schema
         .optional_text("split", "What an additive method treats implicitly, for example \"linear\"; a name that the system does not know "
                                 "is answered with those that it does.")
         .boolean("force", false, "Runs a split that is known not to converge, and explicit steps that are not stable, too.")
@@ -148,7 +210,13 @@ namespace myolines
         if (!integrator.has("split"))
           integrator.refuse("explicit table", "an additive method needs to know what is implicit", "a \"split\"");
       }
-    else if (integrator.has("split"))
+    const bool implicit = tables.implicit == of_the_scene;
+    if (implicit || tables.explicit_ == of_the_scene)
+      tables.own = own_table(integrator, implicit);
+    else
+      refuse_coefficients(integrator, tables.implicit ? "implicit table" : "explicit table",
+                          tables.implicit ? *tables.implicit : *tables.explicit_);
+    if (!tables.additive() && integrator.has("split"))
       integrator.refuse("split", "only an additive method, with two tables, splits the forces", "no \"split\"",
                         "--unset integrator/split leaves it out");
     return tables;

@@ -49,8 +49,8 @@ namespace myolines
     return p;
   }
 
-  SpringPendulum::SpringPendulum(SpringPendulumParameters parameters, WorkLedger &ledger)
-    : parameters_(std::move(parameters))
+  SpringPendulum::SpringPendulum(const SpringPendulumParameters &parameters, WorkLedger &ledger)
+    : parameters_(parameters)
     , ledger_(ledger)
     , layout_(dealii::complete_index_set(2), MPI_COMM_SELF)
   {

@@ -66,6 +66,7 @@ TEST(Manual, HasEveryCommandWithItsOptions)
     EXPECT_NE(page.find("\n.SS " + command + "\n"), std::string::npos) << command;
   EXPECT_NE(page.find("\n.SS import flexodeal\n"), std::string::npos);
   EXPECT_NE(page.find("\n.TP\n\\fB\\-\\-unset\\fR \\fIPATH\\fR\nRemoves a parameter"), std::string::npos);
+  EXPECT_NE(page.find("\n.SH ENVIRONMENT\n.TP\n\\fBMYOLINES_PLUGIN_PATH\\fR\n"), std::string::npos);
   EXPECT_NE(page.find("\n.SH EXIT STATUS\n"), std::string::npos);
   for (const std::string &line : std::vector<std::string>{"\n..", "\n'"}) // no line of text is taken for a request
     EXPECT_EQ(page.find(line), std::string::npos);
@@ -80,5 +81,9 @@ TEST(Completion, OffersCommandsOptionsAndFixedValues)
   EXPECT_EQ(completed(folder, "myolines study s.xml --emit sl"), "slurm\n");
   EXPECT_EQ(completed(folder, "myolines list integ"), "integrators\n");
   EXPECT_EQ(completed(folder, "myolines import flexodeal --mar"), "--markers\n");
+  EXPECT_EQ(completed(folder, "myolines import flexodeal --he"), "--help\n");
+  EXPECT_EQ(completed(folder, "myolines list bound"), "boundary\\ conditions\n");
+  EXPECT_EQ(completed(folder, "myolines list 'boundary\\ c'"), "boundary\\ conditions\n");
+  EXPECT_EQ(completed(folder, "myolines list '\"boundary c'"), "boundary conditions\n");
   EXPECT_EQ(completed(folder, "myolines run sce"), "\n"); // a file: left to bash
 }

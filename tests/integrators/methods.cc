@@ -256,10 +256,22 @@ namespace
     const std::string trapezoidal = derived("runge kutta", {"table=own", "A=0; 1/2 1/2"});
     EXPECT_NE(trapezoidal.find("order 2"), std::string::npos);
     EXPECT_NE(trapezoidal.find("stiffly accurate, A-stable, spectral radius at infinity 1"), std::string::npos) << trapezoidal;
+    for (const char *part : {"order conditions: sum b = 1, b c = 1/2; of the next order: b c^2 = 0.5, not 1/3, b A c = 0.25, not 1/6",
+                             "R(z) = (1 + 0.5 z) / (1 - 0.5 z)"})
+      EXPECT_NE(trapezoidal.find(part), std::string::npos) << part << " in " << trapezoidal;
+    EXPECT_NE(derived("runge kutta", {"table=own", "A=1"}).find("R(z) = (1) / (1 - 1 z)"), std::string::npos);
+    // Alexander's two stages: (1 + (1 - 2 g) z)/(1 - g z)^2, g = 1 - 1/sqrt(2)
+    const std::string alexander = derived("runge kutta", {"table=own", "A=0.292893218813; 0.707106781187 0.292893218813"});
+    EXPECT_NE(alexander.find("L-stable"), std::string::npos) << alexander;
+    EXPECT_NE(alexander.find("R(z) = (1 + 0.414214 z) / (1 - 0.585786 z + 0.0857864 z^2)"), std::string::npos) << alexander;
     EXPECT_NE(derived("runge kutta", {"table=own", "A=0.1; 0.9 0.1"}).find("not A-stable"), std::string::npos);
-    EXPECT_NE(refusal("runge kutta", {"table=own"}).find("there is no implicit stage"), std::string::npos);
+    EXPECT_EQ(derived("runge kutta", {"table=own", "A=0; 1/2 1/2", "b=0.5 0.5"}), trapezoidal);
+    EXPECT_NE(refusal("runge kutta", {"table=own"}).find("there are no coefficients"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1 0"}).find("the diagonal of row 2 is 0"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=1/2; 1/2 1/2", "b=1/4 3/4"}).find("weight 1 is 0.25"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0", "b=1"}).find("there is no implicit stage"), std::string::npos);
+    EXPECT_NE(refusal("runge kutta", {"b=1"}).find("is not looked at"), std::string::npos);
     EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/4"}).find("row 2 has 1 coefficients"), std::string::npos);
-    EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/2 0"}).find("the diagonal of row 2 is 0"), std::string::npos);
     EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/2 1/4"}).find("adds up to 0.75"), std::string::npos);
     EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; x 1/2"}).find("\"x\" is no coefficient"), std::string::npos);
     EXPECT_NE(refusal("runge kutta", {"table=own", "A=0; 1/2 1/2", "embedded=1"}).find("1 weights that add up to 1"), std::string::npos);

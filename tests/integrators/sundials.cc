@@ -40,7 +40,10 @@ namespace
             arkode("ESDIRK547L2SA_7_4_5"),
             arkode("none", "BOGACKI_SHAMPINE_4_2_3"),
             arkode("none", "DORMAND_PRINCE_7_4_5"),
-            arkode("none", "FEHLBERG_13_7_8")};
+            arkode("none", "FEHLBERG_13_7_8"),
+            {"arkode_own_table",
+             "arkode",
+             {"implicit table=none", "explicit table=own", "A=0; 1/2 0; 0 3/4 0; 2/9 1/3 4/9 0", "embedded=7/24 1/4 1/3 1/8"}}};
   }
 
   /// An oscillator with steps that the method chooses.

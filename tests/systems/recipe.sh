@@ -5,7 +5,7 @@
 # Needs the Debian packages buildah and debootstrap. FOLDER gets everything: an empty system (debootstrap), which is the image `debian:12` or
 # `debian:13` that the recipe begins with, and the images that buildah makes. Steps run in a chroot, so that it works inside a container,
 # too. Then the entry point of the image runs a scene into a folder from outside, and mpirun one on two ranks. With CCACHE_DIR set, that
-# compiler cache is used. Stops at the first step that fails and says which; exit code 1.
+# compiler cache is used, with MYOLINES_JOBS so many jobs. Stops at the first step that fails and says which; exit code 1.
 set -euo pipefail
 
 if [ $# -ne 2 ]; then
@@ -31,7 +31,7 @@ begin "the recipe"
 rm -rf "$folder/sources" && mkdir "$folder/sources"
 git -C "$repository" archive HEAD | tar -x -C "$folder/sources"
 "${storage[@]}" bud --isolation chroot --pull-never --build-arg "DEBIAN=$release" -t myolines ${CCACHE_DIR:+-v "$CCACHE_DIR:/root/.cache/ccache"} \
-  "$folder/sources"
+  ${MYOLINES_JOBS:+--env "MYOLINES_JOBS=$MYOLINES_JOBS"} "$folder/sources"
 
 begin "the container"
 rm -rf "$folder/work" && mkdir "$folder/work"

@@ -33,7 +33,7 @@ namespace myolines
   class SpringPendulum : public ParticleSystem
   {
   public:
-    SpringPendulum(SpringPendulumParameters parameters, WorkLedger &ledger); ///< One rank computes it.
+    SpringPendulum(const SpringPendulumParameters &parameters, WorkLedger &ledger); ///< One rank computes it.
 
     Capabilities                   capabilities() const override;
     std::size_t                    n_unknowns() const override { return 2; }
