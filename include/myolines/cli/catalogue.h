@@ -82,6 +82,7 @@ namespace myolines
     std::function<AssembledSystem(const scene::Node &, WorkLedger &, InstructionSet)> make; ///< kernels of that set, where it has some
     std::function<SizeEstimate(const scene::Node &, unsigned int ranks)>              size; ///< estimated from the list `system`
     MeshParameters                                                                    mesh; ///< for refinements
+    std::function<bool(const scene::Node &)> inertia{}; ///< whether the list `system` describes one with inertia; empty: always
   };
 
   inline const std::string &name_of(const SystemEntry &entry) { return entry.name; } ///< For Registry.
