@@ -33,6 +33,8 @@ namespace myolines
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
 
+    std::string why_iterate; ///< why methods that solve linear systems and do not iterate serve badly, a sentence; "" where they serve
+
     std::vector<const FileDrive *>         files;            ///< that drive the system
     std::vector<const ZajacActivation *>   from_excitations; ///< activations that follow excitations, which must know where the run begins
     std::vector<std::shared_ptr<Steering>> steered;          ///< what else drives it and is set while it runs
