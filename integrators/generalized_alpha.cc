@@ -16,6 +16,7 @@ namespace myolines
       facts.unknowns  = MethodFacts::Unknowns::every_order_if_damped;
       facts.error_exponent     = 3;
       facts.estimates_velocity = false;
+      facts.least_damping      = true;
       return facts;
     }
 

@@ -110,6 +110,8 @@ namespace myolines
       int evolve(const double t_stop, double &t) override
       {
         CVodeSetStopTime(memory_, t_stop);
+        if (newton_method_)
+          newton_method_->begin_step(y());
         const int flag = CVode(memory_, t_stop, y(), &t, CV_ONE_STEP);
         if (flag < 0)
           return flag;

@@ -85,6 +85,7 @@ namespace myolines
 
       int evolve(const double t_stop, double &t) override
       {
+        newton_method_->begin_step(y());
         IDASetStopTime(memory_, t_stop);
         const int flag = IDASolve(memory_, t_stop, &t, y(), dy(), IDA_ONE_STEP);
         if (flag == IDA_TSTOP_RETURN)

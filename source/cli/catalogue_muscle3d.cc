@@ -51,6 +51,9 @@ namespace myolines
     assembled.plan                = std::move(plan);
     assembled.warnings            = implausible_values(parameters);
     note_drives(drives_of(parameters), assembled);
+    if (parameters.force_velocity())
+      assembled.why_iterate = "Nothing mends the volume that a linear step has spoiled, nor what it does where the force-velocity relation "
+                              "bends: steps have to be of 0.1 ms or less, and longer ones may be wrong without failing";
     const auto &body = dynamic_cast<const Muscle3dSystem &>(*assembled.system);
     if (!parameters.dynamic)
       refuse_free_motions(body, node, "inertia", "a quasi-static system");

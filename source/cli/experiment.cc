@@ -224,6 +224,9 @@ namespace myolines
           text << "output/" << output->name() << " will have " << rows << " rows: its interval is " << output->number("interval") << " s";
           warnings.push_back(text.str());
         }
+    if (method_.facts.solves == MethodFacts::Solves::linear_systems && !assembled_.why_iterate.empty())
+      warnings.push_back("\"" + method_.facts.name + "\" does not iterate. " + assembled_.why_iterate +
+                         ". Most methods iterate (`myolines list integrators`)");
     if (self_paced_ && !error_norm_->looks_at_velocity())
       warnings.push_back("velocities are not looked at, and \"" + method_.facts.name +
                          "\" damps little of what it does not look at: forces may ring. A list \"time/control/velocity\" looks at them");

@@ -52,4 +52,10 @@ namespace myolines
                      [](const IntegratorEntry *a, const IntegratorEntry *b) { return a->facts.order > b->facts.order; });
     return methods;
   }
+
+  const IntegratorEntry &method_of_least_damping()
+  {
+    const auto &all = integrator_registry();
+    return *std::find_if(all.begin(), all.end(), [](const IntegratorEntry &entry) { return entry.facts.least_damping; });
+  }
 } // namespace myolines

@@ -13,6 +13,8 @@ namespace myolines
 {
   namespace
   {
+    constexpr double length_told = 1e-3; // of a direction, from 1: what is written with four digits is meant to be a unit vector
+
     using scene::format_number;
 
     void take_length(FlexodealTranslation &t, const std::string &name, const std::string &parameter, const double scale)
@@ -160,13 +162,18 @@ namespace myolines
           add_pennation(t, body);
         return;
       }
-    bool given = false;
+    bool   given  = false;
+    double square = 0;
     for (const std::string axis : {"x", "y", "z"})
       if (t.theirs.has("Materials", "Muscle " + axis + " component"))
         {
           t.take("Materials", "Muscle " + axis + " component", "system/fibres/" + axis);
+          square += std::pow(t.theirs.number("Materials", "Muscle " + axis + " component"), 2);
           given = true;
         }
+    if (given && along != nullptr && std::abs(std::sqrt(square) - 1) > length_told)
+      t.out << "changed: " << t.theirs.where(*along) << " and those of y and z make a vector of length " << std::sqrt(square)
+            << ", which becomes 1 (Flexodeal would compute with fibres that are stretched by it)\n";
     if (!given && !body.table_directions)
       t.out << "assumed: Materials / Muscle x component is not set; the fibres lie along x, as in Flexodeal by default\n";
   }

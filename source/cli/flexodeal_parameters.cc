@@ -190,7 +190,7 @@ namespace myolines
     const PrmEntry &entry = needed(section, name);
     const auto      value = scene::parse_number(entry.text);
     if (!value)
-      refuse(entry, "a number");
+      refuse(entry, "a number", entry.text.find(',') != std::string::npos ? "decimals have a point: 0.03" : "");
     return *value;
   }
 

@@ -259,6 +259,20 @@ namespace myolines
       const Rung rung{other.facts.name, {"integrator/type=" + other.facts.name}, 1, cost};
       return scene.with(rung.settings) ? std::optional<Rung>(rung) : std::nullopt;
     }
+
+    /// The method that keeps vibrations best, where the system may vibrate and the scene has another one.
+    std::optional<Rung> least_damping_rung(const BaseScene &scene)
+    {
+      const SystemEntry &entry    = entry_of(scene.node);
+      const Node        &own      = scene.node.section("integrator");
+      const MethodFacts &facts    = method_of_least_damping().facts;
+      const bool         vibrates = !entry.inertia || entry.inertia(scene.node.section("system"));
+      if (!vibrates || is_explicit(scene) || own.text("type") == facts.name ||
+          facts_with(integrator_entry(own.text("type")), own).order == 0)
+        return std::nullopt;
+      const Rung rung{facts.name, {"integrator/type=" + facts.name}, 1, 1};
+      return scene.with(rung.settings) ? std::optional<Rung>(rung) : std::nullopt;
+    }
   } // namespace
 
   std::vector<std::string> scaled_tolerances(const scene::Node &control, const double factor)
@@ -276,10 +290,11 @@ namespace myolines
   {
     const BaseScene    scene{file, overrides, read_whole_scene(file, overrides)};
     study::Refinements refinements;
-    refinements.steps       = steps_of(scene);
-    refinements.mesh        = mesh_of(scene);
-    refinements.method_name = "integrator/type";
-    refinements.method      = method_rung(scene);
+    refinements.steps         = steps_of(scene);
+    refinements.mesh          = mesh_of(scene);
+    refinements.method_name   = "integrator/type";
+    refinements.method        = method_rung(scene);
+    refinements.least_damping = least_damping_rung(scene);
     if (const std::string degree = entry_of(scene.node).mesh.degree; !degree.empty())
       {
         refinements.degree_name = "system/" + degree;

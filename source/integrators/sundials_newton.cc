@@ -23,6 +23,7 @@ namespace myolines
     , correction_(vector_like(layout))
     , trial_(vector_like(layout))
     , next_(vector_like(layout))
+    , before_(vector_like(layout))
   {
     solver_->content              = this;
     solver_->ops->gettype         = [](SUNNonlinearSolver) { return SUNNONLINEARSOLVER_ROOTFIND; };
@@ -33,9 +34,9 @@ namespace myolines
       *failures = std::exchange(of(solver).failures_, 0);
       return 0;
     };
-    solver_->ops->solve = [](SUNNonlinearSolver solver, N_Vector, N_Vector y, N_Vector weights, const double tolerance,
+    solver_->ops->solve = [](SUNNonlinearSolver solver, N_Vector predicted, N_Vector y, N_Vector weights, const double tolerance,
                              const int fresh_matrix, void *memory) {
-      const int flag = of(solver).solve(y, weights, tolerance, fresh_matrix != 0, memory);
+      const int flag = of(solver).solve_from_guesses(predicted, y, weights, tolerance, fresh_matrix != 0, memory);
       of(solver).failures_ += flag == SUN_NLS_SUCCESS ? 0 : 1;
       return flag;
     };
@@ -102,6 +103,31 @@ namespace myolines
         part_ = std::clamp(best, part_ / 4, part_ / 2);
       }
     return 1;
+  }
+
+  void SundialsNewton::begin_step(N_Vector y)
+  {
+    N_VScale(1, y, before_.get());
+    has_before_ = true;
+  }
+
+  /// @p y is the difference from what is predicted.
+  int SundialsNewton::solve_from_guesses(N_Vector predicted, N_Vector y, N_Vector weights, const double tolerance, const bool fresh_matrix,
+                                         void *memory)
+  {
+    int flag = SUN_NLS_CONV_RECVR;
+    for (const bool from_before : {from_before_, !from_before_})
+      {
+        N_VConst(0, y);
+        if (from_before)
+          N_VLinearSum(1, before_.get(), -1, predicted, y);
+        flag = solve(y, weights, tolerance, fresh_matrix || from_before != from_before_, memory);
+        if (flag == SUN_NLS_SUCCESS)
+          from_before_ = from_before;
+        if (flag <= 0 || !has_before_)
+          break;
+      }
+    return flag;
   }
 
   int SundialsNewton::solve(N_Vector y, N_Vector weights, const double tolerance, const bool fresh_matrix, void *memory)

@@ -120,7 +120,7 @@ namespace myolines::study
     {
       const std::vector<double> &x   = series.x;
       const auto                 row = [&](const std::vector<double>::const_iterator at) {
-        return NamedValue{header, *at, between_rows(x, at - x.begin())};
+        return NamedValue{header, *at, series.t[at - x.begin()], between_rows(x, at - x.begin())};
       };
       switch (quantity.take)
         {
@@ -130,14 +130,14 @@ namespace myolines::study
           return row(std::min_element(x.begin(), x.end()));
         case Take::at:
           if (const auto values = reference_at(series, {quantity.time}))
-            return {header, values->front()};
+            return {header, values->front(), quantity.time};
           refuse_quantity(quantity, "there is no row at " + scene::format_number(quantity.time) + " s",
                           "a time from " + scene::format_number(series.t.front()) + " s to " + scene::format_number(series.t.back()) +
                               " s");
         case Take::last:
           break;
         }
-      return {header, x.back()};
+      return {header, x.back(), series.t.back()};
     }
   } // namespace
 
@@ -160,6 +160,12 @@ namespace myolines::study
     const CsvTable    table  = table_of(quantity, folder);
     const std::string header = header_in(quantity, table);
     return taken(quantity, header, filled(quantity, series_of(table, header)));
+  }
+
+  Series series_in_run(const VerifiedQuantity &quantity, const std::filesystem::path &folder)
+  {
+    const CsvTable table = table_of(quantity, folder);
+    return filled(quantity, series_of(table, header_in(quantity, table)));
   }
 
   std::string words_of(const VerifiedQuantity &quantity)

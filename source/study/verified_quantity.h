@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <myolines/study/measures.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,6 +25,12 @@ namespace myolines::study
     double      time = 0; ///< [s]
   };
 
+  /// The largest or smallest value of the column, at whatever time.
+  inline bool is_extreme(const VerifiedQuantity &quantity)
+  {
+    return quantity.take == VerifiedQuantity::Take::largest || quantity.take == VerifiedQuantity::Take::smallest;
+  }
+
   /// "FILE:COLUMN", with ":last", ":largest", ":smallest" or ":at TIME" after it. @throws InputError.
   VerifiedQuantity read_verified_quantity(const std::string &text);
 
@@ -31,11 +39,15 @@ namespace myolines::study
   {
     std::string header; ///< "moving end x [N]"
     double      value;
+    double      time;        ///< of the value [s]
     double      between = 0; ///< how far a smooth curve through the rows may go beyond an extreme one: h^2 |x''| / 8
   };
 
   /// The value in the run in @p folder. @throws InputError with the nearest names if the run does not have it.
   NamedValue value_in_run(const VerifiedQuantity &quantity, const std::filesystem::path &folder);
+
+  /// The rows of the column in the run in @p folder that have a number. @throws InputError as value_in_run() does.
+  Series series_in_run(const VerifiedQuantity &quantity, const std::filesystem::path &folder);
 
   /// "last", "at 0.1 s".
   std::string words_of(const VerifiedQuantity &quantity);

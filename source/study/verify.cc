@@ -45,6 +45,21 @@ namespace myolines::study
           runs.push_back(run_of(options, part, ladder.parameter, ladder.rungs[i]));
     }
 
+    /// With the shortest steps that are run.
+    VerifyRun run_of_least_damping(const VerifyOptions &options, const Refinements &refinements, const std::vector<VerifyRun> &runs)
+    {
+      const VerifyRun *finest = &runs.front();
+      for (const VerifyRun &run : runs)
+        if (run.part == VerifyRun::Part::steps && run.rung.size < finest->rung.size)
+          finest = &run;
+      const Rung &method = *refinements.least_damping;
+      Rung        rung   = finest->rung;
+      rung.settings.insert(rung.settings.begin(), method.settings.begin(), method.settings.end());
+      VerifyRun run  = run_of(options, VerifyRun::Part::least_damping, refinements.steps.parameter, rung);
+      run.which.name = case_name("", {{refinements.method_name, method.label}, {refinements.steps.parameter, rung.label}});
+      return run;
+    }
+
     std::vector<VerifyRun> plan(const VerifyOptions &options, Refinements &refinements)
     {
       std::vector<VerifyRun> runs{run_of(options, VerifyRun::Part::scene, "", {"", {}, 1, 1})};
@@ -56,6 +71,8 @@ namespace myolines::study
         runs.push_back(run_of(options, VerifyRun::Part::degree, refinements.degree_name, *refinements.degree));
       if (refinements.method && refinements.method->cost <= options.at_most)
         runs.push_back(run_of(options, VerifyRun::Part::method, refinements.method_name, *refinements.method));
+      if (refinements.least_damping)
+        runs.push_back(run_of_least_damping(options, refinements, runs));
       return runs;
     }
 

@@ -95,10 +95,27 @@ namespace myolines::study
 
     std::string method_line(const VerifiedValue &found, const VerifyRun &run, const Refinements &refinements, const double error_of_all)
     {
-      const bool counts = found.steps_error > (found.steps.error ? found.steps.error->error : 0);
+      const bool counts = std::abs(*found.other_method - found.value) >= *found.steps_error;
       return heading_of_line("method", counts ? found.steps_error : std::nullopt) + refinements.method_name + " " + run.rung.label + ": " +
              value_text(*found.other_method, error_of_all) + ", with the steps of the scene" +
              (counts ? "; its distance is taken for the error of the steps" : "") + "\n";
+    }
+
+    std::string least_damping_line(const VerifiedValue &found, const VerifyRun &run, const Refinements &refinements,
+                                   const double error_of_all)
+    {
+      const auto by        = [&](const double error) { return error >= *found.steps_error; };
+      const bool distance  = by(std::abs(*found.least_damped - found.value)),
+                 vibration = !distance && *found.vibration > 0 && !by(found.steps.error ? found.steps.error->error : 0) &&
+                             !by(found.other_method ? std::abs(*found.other_method - found.value) : 0);
+      std::string text = heading_of_line("damping", distance || vibration ? found.steps_error : std::nullopt) + refinements.method_name +
+                         " " + refinements.least_damping->label + ", which damps least, " + refinements.steps.parameter + " " +
+                         run.rung.label + ": " + value_text(*found.least_damped, error_of_all);
+      if (*found.vibration > 0)
+        text += ", in a vibration of +- " + digits(*found.vibration, 2);
+      if (distance)
+        return text + "; its distance is taken for the error of the steps\n";
+      return text + (vibration ? "; three times that is in the error of the steps. A mean over time is surer than one instant\n" : "\n");
     }
 
     /// The ladder of the largest error; nullptr if there is no error.
@@ -142,6 +159,8 @@ namespace myolines::study
           text += degree_line(found, run, refinements, all);
         else if (run.part == VerifyRun::Part::method && found.other_method)
           text += method_line(found, run, refinements, all);
+        else if (run.part == VerifyRun::Part::least_damping && found.least_damped)
+          text += least_damping_line(found, run, refinements, all);
       return text + halving_line(found, runs.front());
     }
 
@@ -191,7 +210,9 @@ namespace myolines::study
             return ladder->values[i];
       if (!run.done())
         return std::nullopt;
-      return run.part == VerifyRun::Part::method ? found.other_method : found.other_degree;
+      return run.part == VerifyRun::Part::method          ? found.other_method
+             : run.part == VerifyRun::Part::least_damping ? found.least_damped
+                                                          : found.other_degree;
     }
   } // namespace
 

@@ -2,6 +2,7 @@
 #include "verify_results.h"
 
 #include <myolines/study/runner.h>
+#include <myolines/study/swings.h>
 
 #include <nlohmann/json.hpp>
 
@@ -66,6 +67,46 @@ namespace myolines::study
     return halving;
   }
 
+  namespace
+  {
+    constexpr double steps_of_a_vibration = 8; // what is slower than so many steps of the scene is seen by its own method
+    constexpr double safety_of_amplitudes = 3; // steps are of the length of the vibration, which has no rate
+
+    /// At the rows of the one that has fewer: between these it would show how rows are joined.
+    Series difference(const Series &series, const Series &other)
+    {
+      if (series.t.size() > other.t.size())
+        return difference(other, series);
+      const double first = other.t.front(), last = other.t.back();
+      Series       common = window(series, first, last);
+      const auto   there  = reference_at(other, common.t);
+      for (std::size_t i = 0; there && i < common.x.size(); ++i)
+        common.x[i] -= (*there)[i];
+      return common;
+    }
+
+    double mean_step(const std::vector<double> &times)
+    {
+      return (times.back() - times.front()) / std::max<double>(1, static_cast<double>(times.size()) - 1);
+    }
+
+    /// Amplitude of the vibration that the run @p by of least damping has at the value, and the finest run of the method of the scene has
+    /// not. An extreme value has its vibration in it, whatever its phase.
+    void add_vibration(const VerifyRun &by, const VerifyRun &scene, const std::filesystem::path &folder, VerifiedValue &found)
+    {
+      const auto series_of_run = [&](const VerifyRun &run) { return series_in_run(found.quantity, case_folder(folder, run.which.name)); };
+      const VerifyRun &finest  = *found.steps.runs.back();
+      const NamedValue value   = value_in_run(found.quantity, case_folder(folder, by.which.name));
+      const double     width   = 1.5 * steps_of_a_vibration * mean_step(series_of_run(scene).t);
+      found.least_damped       = value.value;
+      found.vibration =
+          is_extreme(found.quantity) ? 0 : amplitude_about(difference(series_of_run(by), series_of_run(finest)), value.time, width);
+      const double known = std::abs(found.steps.values.back() - found.value);
+      found.steps_error =
+          std::max({found.steps_error.value_or(0), std::abs(value.value - found.value), known + safety_of_amplitudes * *found.vibration});
+    }
+  } // namespace
+
   VerifiedValue verified_value(const VerifiedQuantity &quantity, const std::vector<VerifyRun> &runs, const Refinements &refinements,
                                const std::filesystem::path &folder)
   {
@@ -75,6 +116,8 @@ namespace myolines::study
                         of_scene.value,
                         ladder_error(quantity, runs, VerifyRun::Part::steps, refinements.steps, folder),
                         ladder_error(quantity, runs, VerifyRun::Part::mesh, refinements.mesh, folder),
+                        {},
+                        {},
                         {},
                         {},
                         {},
@@ -89,6 +132,8 @@ namespace myolines::study
           found.other_method = value_in_run(quantity, case_folder(folder, run.which.name)).value;
           found.steps_error  = std::max(found.steps_error.value_or(0), std::abs(*found.other_method - found.value));
         }
+      else if (run.part == VerifyRun::Part::least_damping && run.done())
+        add_vibration(run, runs.front(), folder, found);
       else if (run.part == VerifyRun::Part::degree && run.done())
         {
           found.other_degree = value_in_run(quantity, case_folder(folder, run.which.name)).value;

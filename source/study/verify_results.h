@@ -24,7 +24,8 @@ namespace myolines::study
       steps,
       mesh,
       degree,
-      method
+      method,
+      least_damping
     };
     Case    which;
     Part    part;
@@ -62,8 +63,11 @@ namespace myolines::study
 
     std::optional<double> other_degree; ///< value with elements of the other degree
     std::optional<double> other_method; ///< value by the method of higher order
+    std::optional<double> least_damped; ///< value by the method that damps least, with the shortest steps
+    std::optional<double> vibration;    ///< amplitude there, beside the method of the scene with these steps
     std::optional<double> mesh_error;   ///< that of the mesh; not less than the distance from the value of a higher degree
-    std::optional<double> steps_error;  ///< that of the steps; not less than the distance from the value by a method of higher order
+    /// That of the steps; not less than the distance from the values by other methods, nor than the error that vibrations make.
+    std::optional<double> steps_error;
   };
 
   /// From the folders of the runs that are done, of which the first is one. @throws InputError if they do not have the quantity.

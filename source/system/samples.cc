@@ -48,7 +48,7 @@ namespace myolines
       if (!factor)
         throw InputError(InputProblem{table.file.string(), "the column \"" + table.header[i] + "\" is in \"" + from + "\"",
                                       unit == "-" ? "numbers without a unit, \"-\", or \"%\"" : "a unit that can be converted to " + unit,
-                                      ""});
+                                      unit == "-" ? "\"normalise\" divides by a number in this unit, or by the greatest value" : ""});
       std::vector<double> x = table.numbers(i);
       for (double &value : x)
         value *= *factor;

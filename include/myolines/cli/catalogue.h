@@ -33,6 +33,8 @@ namespace myolines
     std::vector<std::string> plan;     ///< what is computed, what is skipped and why, sizes
     std::vector<std::string> warnings; ///< valid, but probably not what is wanted
 
+    std::string why_iterate; ///< why methods that solve linear systems and do not iterate serve badly, a sentence; "" where they serve
+
     std::vector<const FileDrive *>         files;            ///< that drive the system
     std::vector<const ZajacActivation *>   from_excitations; ///< activations that follow excitations, which must know where the run begins
     std::vector<std::shared_ptr<Steering>> steered;          ///< what else drives it and is set while it runs
@@ -82,6 +84,7 @@ namespace myolines
     std::function<AssembledSystem(const scene::Node &, WorkLedger &, InstructionSet)> make; ///< kernels of that set, where it has some
     std::function<SizeEstimate(const scene::Node &, unsigned int ranks)>              size; ///< estimated from the list `system`
     MeshParameters                                                                    mesh; ///< for refinements
+    std::function<bool(const scene::Node &)> inertia{}; ///< whether the list `system` describes one with inertia; empty: always
   };
 
   inline const std::string &name_of(const SystemEntry &entry) { return entry.name; } ///< For Registry.

@@ -23,4 +23,7 @@ namespace myolines
   /// The built-in methods that take every system and estimate their errors, highest order first; the first is the one to begin with
   /// (doc/which_method.md).
   std::vector<const IntegratorEntry *> methods_for_every_system();
+
+  /// The one whose facts have `least_damping`.
+  const IntegratorEntry &method_of_least_damping();
 } // namespace myolines

@@ -16,6 +16,7 @@ namespace myolines
   ///   themselves);
   /// - mesh: as SystemEntry::mesh has it, of the order degree + 1;
   /// - degree: one more, or one less where there is no higher one;
+  /// - least damping: method_of_least_damping(), where the system has inertia, for which the scene may have another method.
   /// - method: the first of methods_for_every_system(), where its order is higher than that of the scene's.
   /// Meshes that need more memory than there is are left out, and finer ones where steps are explicit.
   /// @throws InputError if it is no scene.

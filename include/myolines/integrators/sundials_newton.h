@@ -17,6 +17,9 @@ namespace myolines
   /// J and d' are kept while whole corrections shrink by contraction_that_keeps; else J is that of the new iterate. The iteration ends
   /// where |d| times the contraction last seen is the tolerance that the solver gives.
   ///
+  /// It begins at the state that the solver predicts, or, where no solution is found from there, at that at the beginning of the step: what
+  /// is extrapolated after a jump of velocities has velocities and volumes that no muscle has. What succeeded last is tried first.
+  ///
   /// The method that SUNDIALS brings takes whole corrections. Where forces bend within the velocities of a step these do not converge,
   /// however short steps are, since velocities that balance the forces do not depend on the step.
   class SundialsNewton
@@ -30,6 +33,8 @@ namespace myolines
 
     SUNNonlinearSolver solver() const { return solver_; } ///< for calls of SUNDIALS
 
+    void begin_step(N_Vector y); ///< Another first guess of the steps that follow; without it there is none.
+
   private:
     static constexpr int    most_iterations        = 25;
     static constexpr double least_part             = 1. / 64; ///< of a correction; rough linear solves show no decrease below it
@@ -39,6 +44,7 @@ namespace myolines
 
     ///@{
     /// Flags of SUNDIALS: 0, positive where a shorter step may help, negative where nothing does.
+    int solve_from_guesses(N_Vector predicted, N_Vector y, N_Vector weights, double tolerance, bool fresh_matrix, void *memory);
     int solve(N_Vector y, N_Vector weights, double tolerance, bool fresh_matrix, void *memory);
     int linearise(bool anew, void *memory);
     int correct(N_Vector correction, void *memory);
@@ -53,9 +59,10 @@ namespace myolines
     SUNNonlinSolSysFn     equations_ = nullptr;
     SUNNonlinSolLSetupFn  setup_     = nullptr;
     SUNNonlinSolLSolveFn  inverse_   = nullptr;
-    SundialsVector        residual_, correction_, trial_, next_;
-    double                part_ = 1, next_size_ = 0; ///< s and |d'| of the trial
-    bool                  current_  = false;         ///< J is that of the iterate
-    long                  failures_ = 0;             ///< since SUNDIALS has asked
+    SundialsVector        residual_, correction_, trial_, next_, before_;
+    bool                  has_before_ = false, from_before_ = false; ///< the latter: where the last success began
+    double                part_ = 1, next_size_ = 0;                 ///< s and |d'| of the trial
+    bool                  current_  = false;                         ///< J is that of the iterate
+    long                  failures_ = 0;                             ///< since SUNDIALS has asked
   };
 } // namespace myolines

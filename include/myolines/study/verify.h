@@ -48,6 +48,7 @@ namespace myolines::study
     std::string         degree_name;    ///< "system/degree"
     bool                higher = false; ///< whether that degree is higher
     std::optional<Rung> method;         ///< a method of higher order with the steps of the scene, if there is one
+    std::optional<Rung> least_damping;  ///< the method that keeps vibrations best, where it is another one and there may be some
     std::string         method_name;    ///< "integrator/type"
   };
 
@@ -58,9 +59,9 @@ namespace myolines::study
     std::function<Refinements(const std::filesystem::path &scene, const std::vector<std::string> &overrides)> refinements;
   };
 
-  /// The command `verify`: runs the scene as it stands, with shorter steps, by a method of higher order, on other meshes and with elements
-  /// of another degree, and tells for each quantity the value of the scene with the estimated errors of steps and mesh
-  /// (discretisation_error()), the drift of energy, which error is the largest and what halving it would cost. Writes verify.txt,
+  /// The command `verify`: runs the scene as it stands, with shorter steps, by a method of higher order, by one that damps least, on other
+  /// meshes and with elements of another degree, and tells for each quantity the value of the scene with the estimated errors of steps and
+  /// mesh (discretisation_error()), the drift of energy, which error is the largest and what halving it would cost. Writes verify.txt,
   /// verify.csv (a row for each quantity), runs.csv (a row for each run) and verify.sqlite. Runs that are done are not run again.
   /// @throws InputError for quantities that the runs do not have, SolveError if a run failed, after all others were told; Interrupted.
   void verify_command(const VerifyOptions &options, std::ostream &out);

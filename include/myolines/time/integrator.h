@@ -43,6 +43,9 @@ namespace myolines
       second_order                      ///< with inertia only
     } unknowns = Unknowns::every_order; ///< which unknowns the method takes
 
+    /// Keeps waves that its steps resolve better than any other method that damps those of infinite frequency.
+    bool least_damping = false;
+
     bool two_states = false; ///< takes forces of two states, see Point::before, of systems that are not linear
 
     /// The method has formulas of its own for the velocity and acceleration of a moving boundary, see BoundaryRates::scheme.
