@@ -195,7 +195,7 @@ def ratio(side, ours):
 def print_table(sides, file):
     other, *ours = sides
     heads = ["program", "points", "CPU per step [s]", "Newton per step", "Krylov per Newton", "force [N]", "reaction [N]"]
-    heads += [f"CPU over that of Myolines, {side.points} points" for side in ours]
+    heads += [f"CPU over Myolines with {side.points} points" for side in ours]
     print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
     for side in sides:
         row = [side.name, str(side.points), f"{statistics.median(side.cpu) / side.steps:.3g}", f"{side.newton / side.steps:.2f}",
