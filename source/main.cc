@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/error.h>
 #include <myolines/cli/mpi_session.h>
 #include <myolines/cli/program.h>
+
+#include <cstdlib>
+#include <iostream>
 
 #include <fcntl.h>
 
@@ -19,5 +23,12 @@ int main(int argc, char **argv)
 {
   hold_standard_streams();
   myolines::MpiSession mpi(argc, argv);
-  return myolines::program(argc, argv, mpi);
+  const int            code = myolines::program(argc, argv, mpi);
+  if (code == static_cast<int>(myolines::ExitCode::system_refused) && !mpi.started())
+    {
+      // OpenBLAS waits at the end for its threads, and these may wait for memory that they never get.
+      std::cout.flush();
+      std::_Exit(code);
+    }
+  return code;
 }
