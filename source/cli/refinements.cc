@@ -260,14 +260,17 @@ namespace myolines
       return scene.with(rung.settings) ? std::optional<Rung>(rung) : std::nullopt;
     }
 
-    /// The method that keeps vibrations best, where the system may vibrate and the scene has another one.
+    /// The method that keeps vibrations best, where the system may vibrate and the scene has another one. Where the errors of velocities
+    /// choose the steps, these follow vibrations, and the method may have no estimate of such errors.
     std::optional<Rung> least_damping_rung(const BaseScene &scene)
     {
       const SystemEntry &entry    = entry_of(scene.node);
       const Node        &own      = scene.node.section("integrator");
       const MethodFacts &facts    = method_of_least_damping().facts;
       const bool         vibrates = !entry.inertia || entry.inertia(scene.node.section("system"));
-      if (!vibrates || is_explicit(scene) || own.text("type") == facts.name ||
+      const Node        &control  = scene.node.section("time").section("control");
+      const bool         followed = control.text("type") == "error" && control.has("velocity");
+      if (!vibrates || followed || is_explicit(scene) || own.text("type") == facts.name ||
           facts_with(integrator_entry(own.text("type")), own).order == 0)
         return std::nullopt;
       const Rung rung{facts.name, {"integrator/type=" + facts.name}, 1, 1};

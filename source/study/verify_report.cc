@@ -95,7 +95,8 @@ namespace myolines::study
 
     std::string method_line(const VerifiedValue &found, const VerifyRun &run, const Refinements &refinements, const double error_of_all)
     {
-      const bool counts = std::abs(*found.other_method - found.value) >= *found.steps_error;
+      const double distance = std::abs(*found.other_method - found.value);
+      const bool   counts   = distance > 0 && distance >= *found.steps_error;
       return heading_of_line("method", counts ? found.steps_error : std::nullopt) + refinements.method_name + " " + run.rung.label + ": " +
              value_text(*found.other_method, error_of_all) + ", with the steps of the scene" +
              (counts ? "; its distance is taken for the error of the steps" : "") + "\n";
@@ -104,7 +105,7 @@ namespace myolines::study
     std::string least_damping_line(const VerifiedValue &found, const VerifyRun &run, const Refinements &refinements,
                                    const double error_of_all)
     {
-      const auto by        = [&](const double error) { return error >= *found.steps_error; };
+      const auto by        = [&](const double error) { return error > 0 && error >= *found.steps_error; };
       const bool distance  = by(std::abs(*found.least_damped - found.value)),
                  vibration = !distance && *found.vibration > 0 && !by(found.steps.error ? found.steps.error->error : 0) &&
                              !by(found.other_method ? std::abs(*found.other_method - found.value) : 0);
