@@ -77,7 +77,7 @@ TEST(Verification, ActiveLengtheningByOtherSolvers)
       const TestFolder other;
       const auto       row = last_row(other, scene + method, "reaction.csv");
       ASSERT_EQ(row.size(), 9u) << method;
-      EXPECT_NEAR(row[1], ours[1], 1e-3 * ours[1]) << method;
+      EXPECT_NEAR(row[1], ours[1], 2e-3 * ours[1]) << method; // tolerances of steps are 1e-3
       EXPECT_NE(contents(other / "out" / "ledger.json").find("\"nonlinear convergence failures\": 0,"), std::string::npos) << method;
     }
 }

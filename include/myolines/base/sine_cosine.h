@@ -18,17 +18,21 @@ namespace myolines
     }
   };
 
-  /// sin x and cos x [-].
+  /// Of one angle.
   template <typename T>
   struct SineCosine
   {
-    T sine, cosine;
+    T sine;   ///< [-]
+    T cosine; ///< [-]
   };
 
+  ///@{
+  /// Whether T is Lanes of floats.
   template <typename T>
-  constexpr bool in_single_precision = false; ///< whether T is Lanes of floats
+  constexpr bool in_single_precision = false;
   template <InstructionSet isa, int n>
   constexpr bool in_single_precision<Lanes<isa, float, n>> = true;
+  ///@}
 
   /// Of x [rad], at most 1e5 in size, to 4e-16 (in single precision at most 100, to 3e-7): x is brought to [-pi/2, pi/2] by a multiple of
   /// pi, where Taylor polynomials of degree 21 and 22 are exact to rounding. T is double or Lanes; all lanes are found at once, while sin()
