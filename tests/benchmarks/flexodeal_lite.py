@@ -196,7 +196,7 @@ def print_table(sides, file):
     other, *ours = sides
     heads = ["program", "points", "CPU per step [s]", "Newton per step", "Krylov per Newton", "force [N]", "reaction [N]"]
     heads += [f"CPU over Myolines with {side.points} points" for side in ours]
-    print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads))
+    print("| " + " | ".join(heads) + " |\n|" + "---|" * len(heads), file=file)
     for side in sides:
         row = [side.name, str(side.points), f"{statistics.median(side.cpu) / side.steps:.3g}", f"{side.newton / side.steps:.2f}",
                f"{side.krylov / side.newton:.1f}", f"{side.force:.5g}", f"{side.reaction:.5g}" if side.reaction is not None else ""]
