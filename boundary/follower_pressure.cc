@@ -38,6 +38,11 @@ namespace myolines
         return force(t, side, point, x) * x.v;
       }
 
+      std::optional<double> constant_pressure() const override
+      {
+        return pressure_.drives().empty() ? std::optional<double>(pressure_.at(0, Side::right)) : std::nullopt;
+      }
+
     private:
       const ProfiledLoad pressure_; ///< [Pa]
     };

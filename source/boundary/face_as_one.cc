@@ -62,6 +62,24 @@ namespace myolines
     return k;
   }
 
+  TendonSpring::Secant FaceAsOne::secant(const double t, const Side side, const FaceStep &x) const
+  {
+    const double at = slack(t, side);
+    return spring_->secant(at - direction_ * x.begin.u, at - direction_ * x.end.u);
+  }
+
+  Vector3 FaceAsOne::force_of_step(const double t, const Side side, const FacePoint &point, const FaceStep &x) const
+  {
+    return secant(t, side, x).force / point.face_area * point.area * direction_;
+  }
+
+  ForceTangent FaceAsOne::tangent_of_step(const double t, const Side side, const FacePoint &point, const FaceStep &x) const
+  {
+    ForceTangent k;
+    k.by_u = secant(t, side, x).slope / point.face_area * point.area * outer_product(direction_, direction_);
+    return k;
+  }
+
   double FaceAsOne::energy(const double t, const Side side, const FacePoint &point, const FaceMotion &x) const
   {
     return point.area / point.face_area * spring_->energy(slack(t, side) - direction_ * x.u);

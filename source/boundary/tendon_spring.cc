@@ -19,6 +19,7 @@ namespace myolines
       double force(const double s) const override { return stiffness_ * s; }
       double slope(double) const override { return stiffness_; }
       double energy(const double s) const override { return stiffness_ / 2 * s * s; }
+      Secant secant(const double s0, const double s1) const override { return {stiffness_ / 2 * (s0 + s1), stiffness_ / 2}; }
 
     private:
       const double stiffness_;
@@ -68,6 +69,16 @@ namespace myolines
       double energy(const double s) const override { return force_ * length_ * Law::energy(1 + s / length_); }
       double slack_length() const override { return length_; }
 
+      /// Below a millionth of the length rounding of the energy would be what is left: there the force in the middle misses less than that.
+      Secant secant(const double s0, const double s1) const override
+      {
+        const double change = s1 - s0, middle = (s0 + s1) / 2;
+        if (std::abs(change) < 1e-6 * length_)
+          return {force(middle), slope(middle) / 2};
+        const double value = (energy(s1) - energy(s0)) / change;
+        return {value, (force(s1) - value) / change};
+      }
+
     private:
       const double force_, length_;
     };
@@ -81,6 +92,19 @@ namespace myolines
       double force(const double s) const override { return stiffness_ * std::min(s, 0.); }
       double slope(const double s) const override { return s <= 0 ? stiffness_ : 0; }
       double energy(const double s) const override { return stiffness_ / 2 * std::pow(std::min(s, 0.), 2); }
+
+      /// The share of the way that is behind the stop times the mean force there.
+      Secant secant(const double s0, const double s1) const override
+      {
+        const double behind0 = std::min(s0, 0.), behind1 = std::min(s1, 0.), change = s1 - s0;
+        const double share = change != 0 ? (behind1 - behind0) / change
+                             : s1 <= 0   ? 1.
+                                         : 0.,
+                     value = stiffness_ / 2 * (behind0 + behind1) * share;
+        if (share == 0 || share == 1)
+          return {value, share * stiffness_ / 2};
+        return {value, (force(s1) - value) / change};
+      }
 
     private:
       const double stiffness_;

@@ -1,34 +1,43 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include "kernels_volume.h"
+#include "kernels_step_stress.h"
 
 namespace myolines
 {
   /// One batch of cells during a step (KernelModel::before): forces of two states and their derivatives.
   template <InstructionSet isa, int n1>
-  class BatchStep : public BatchVolume<isa, n1>
+  class BatchStep : public BatchStepStress<isa, n1>
   {
   protected:
-    using Base = BatchVolume<isa, n1>;
+    using Base = BatchStepStress<isa, n1>;
+    using Base::all_is_stored;
     using Base::cells;
     using Base::clear;
     using Base::coefficients;
+    using Base::dissipates;
+    using Base::enter_step;
     using Base::expand;
     using Base::F;
     using Base::F_before;
     using Base::F_rate;
-    using Base::fibres;
+    using Base::field;
     using Base::inverse;
     using Base::JxW;
-    using Base::law_points;
+    using Base::kernels_of;
+    using Base::law;
     using Base::m;
     using Base::material;
     using Base::mode;
     using Base::n_points;
-    using Base::of_step;
+    using Base::points;
+    using Base::points_of;
     using Base::pressure;
+    using Base::save;
+    using Base::stresses;
     using Base::t;
+    using Base::takes;
+    using typename Base::Part;
 
     using T = Lanes<isa>;
     using Base::Base;
@@ -48,16 +57,19 @@ namespace myolines
     /// six units of a symmetric C are enough, and dC = F^T dF + dF^T F makes moduli of nine columns of them.
     const T *step_tangents()
     {
-      T *tangents = field(of_moduli);
+      T *tangents = field(Base::of_moduli);
       enter_step();
       const Part stored(*this, false), all(*this, true);
       const bool mixed = !all_is_stored();
       const int  size  = point_tangent_size(m);
-      T *along = field(of_along), *along_rate = field(of_along_rate), *dP = field(of_dP), *dP_all = field(of_dP_all), *end = field(of_end);
+      T         *along = field(Base::of_along), *along_rate = field(Base::of_along_rate), *dP = field(Base::of_dP),
+        *dP_all = field(Base::of_dP_all), *end = field(Base::of_end);
       stresses(stored, F, F_rate, end);
-      remember(stored, field(of_tangents));
+      remember(stored, field(Base::of_U), field(Base::of_tangents));
       if (mixed)
-        remember(all, field(of_tangents_of_all));
+        remember(all, field(Base::of_U), field(Base::of_tangents_of_all));
+      if (dissipates())
+        remember(stored, F, field(Base::of_tangents_of_end));
       for (int q = 0; q < n_points; ++q)
         begin_tangent(q, tangents + q * size);
       for (const SymmetricUnit &unit : symmetric_units)
@@ -71,22 +83,26 @@ namespace myolines
               save(T(-1.) * (transpose(at.inverse) * (transpose(dU) * at.rate)), along_rate + 9 * q); // at one rate of C
             }
           clear(dP, 9 * n_points);
-          add_changes(stored, field(of_tangents), along, 1, 0, dP);
+          add_changes(stored, field(Base::of_U), field(Base::of_tangents), along, 1, 0, dP);
+          if (dissipates())
+            change_end(stored, E);
           if (mixed)
             {
               clear(dP_all, 9 * n_points);
-              add_changes(all, field(of_tangents_of_all), along, 1, 0, dP_all);
+              add_changes(all, field(Base::of_U), field(Base::of_tangents_of_all), along, 1, 0, dP_all);
               if (m.velocities())
-                add_changes(all, field(of_tangents_of_all), along_rate, 0, 1, dP_all);
+                add_changes(all, field(Base::of_U), field(Base::of_tangents_of_all), along_rate, 0, 1, dP_all);
             }
           for (int q = 0; q < n_points; ++q)
             {
-              const StepPoint<T> &at = points()[q];
-              const Mat3<T>       dU = Mat3<T>::load(along + 9 * q);
-              const Mat3<T>       of = at.inverse * (Mat3<T>::load(dP + 9 * q) - dU * at.stored);
-              const Mat3<T> middle   = mixed ? at.inverse * (Mat3<T>::load(dP_all + 9 * q) - dU * (at.stress - at.secant * at.change)) : of;
-              const Mat3<T> dS =
-                  middle + secant_change(at, of, Mat3<T>::load(end + 9 * q), E) + expand(pressure, q) * at.change_of_volume(E);
+              const StepPoint<T> &at     = points()[q];
+              const Mat3<T>       dU     = Mat3<T>::load(along + 9 * q);
+              const Mat3<T>       of     = at.inverse * (Mat3<T>::load(dP + 9 * q) - dU * at.stored);
+              const Mat3<T>       middle = mixed ? at.inverse * (Mat3<T>::load(dP_all + 9 * q) - dU * at.whole) : of;
+              const Mat3<T>       S_end  = at.second_stress(at.F, Mat3<T>::load(end + 9 * q));
+              Mat3<T>             dS     = middle + secant_change(at, of, S_end, E) + expand(pressure, q) * at.change_of_volume(E);
+              if (dissipates())
+                dS = dS + dissipated_change(at, Mat3<T>::load(field(Base::of_end_change) + 9 * q), E);
               add_along(unit, JxW(q), at.F, at.middle * dS, tangents + q * size);
             }
           if (m.velocities())
@@ -148,9 +164,6 @@ namespace myolines
         }
     }
 
-    /// Fields of lanes.
-    static constexpr int step_scratch_size() { return of_points + sizeof(StepPoint<T>) / sizeof(T); }
-
   private:
     /// w_u dP/dF_1 + w_v dP/dF_rate
     T modulus(const double w[3], const T *tangent, const int i, const int j) const
@@ -159,145 +172,39 @@ namespace myolines
       return m.velocities() ? by_F + T(w[1]) * tangent[step_by_rate + 9 * i + j] : by_F;
     }
 
-    /// Of the stresses: what has an energy, at rest, or all.
-    struct Part
+    /// Fills of_end_change with the changes of the stored S_1 along the change @p E of C_1.
+    void change_end(const Part &stored, const Mat3<T> &E)
     {
-      Part(const BatchStep &batch, const bool whole)
-        : model(batch.m)
-        , terms(batch.fibres)
-        , all(whole)
-      {
-        model.exact_tangent = true;
-        if (!all)
-          model.active = model.rate = model.viscous = terms.active = terms.rate = false;
-      }
-      KernelModel model;
-      FibreTerms  terms;
-      bool        all;
-    };
-
-    /// In the scratch storage.
-    enum Field
-    {
-      of_U               = 0,
-      of_U_rate          = 9,
-      of_along           = 18,
-      of_along_rate      = 27,
-      of_dP              = 36,
-      of_dP_all          = 45,
-      of_end             = 54, ///< P of what is stored, at the end
-      of_laws            = 63,
-      of_energies        = 72,
-      of_tangents        = 74,
-      of_tangents_of_all = of_tangents + tangent_size_rate,
-      of_moduli          = of_tangents_of_all + tangent_size_rate,
-      of_points          = of_moduli + step_by_rate + 81
-    };
-    T            *field(const Field f) const { return of_step + std::size_t(n_points) * f; }
-    StepPoint<T> *points() const { return reinterpret_cast<StepPoint<T> *>(field(of_points)); }
-
-    static MYOLINES_INLINE void save(const Mat3<T> &x, T *to)
-    {
-      for (int i = 0; i < 9; ++i)
-        to[i] = x.entry[i];
-    }
-
-    const LawKernels &kernels_of(const int law) const { return law_kernels<isa>(cells.laws[law]); }
-    bool              takes(const Part &part, const int law) const { return part.all || kernels_of(law).energy != nullptr; }
-
-    bool all_is_stored() const
-    {
-      bool all = !fibres.active && !m.viscous;
-      for (int i = 0; i < cells.n_laws; ++i)
-        all = all && kernels_of(i).energy != nullptr;
-      return all;
-    }
-
-    LawPoints points_of(const Part &part, const T *F_at, const T *rate) const
-    {
-      LawPoints points = law_points(F_at, 9, rate);
-      if (!part.model.viscous)
-        points.F_rate = nullptr;
-      return points;
-    }
-
-    PointLaw<T> law(const Part &part, const Kinematics<T> &k, const int q, const T *rate) const
-    {
-      return {part.model, part.terms, material(q), k, rate, T(0.)};
-    }
-
-    /// P[9 q + i] of a part at F_at, without pressure.
-    void stresses(const Part &part, const T *F_at, const T *rate, T *P) const
-    {
-      clear(P, 9 * n_points);
-      for (int i = 0; i < cells.n_laws; ++i)
-        if (takes(part, i))
-          kernels_of(i).stress(cells.laws[i], points_of(part, F_at, rate), reinterpret_cast<double *>(P));
+      T       *along = field(Base::of_end_along), *dP = field(Base::of_end_change);
+      const T *end = field(Base::of_end);
       for (int q = 0; q < n_points; ++q)
         {
-          const Kinematics<T> k(F_at + 9 * q);
-          T                   of_tissue[9];
-          law(part, k, q, rate + 9 * q).stress(of_tissue);
-          for (int i = 0; i < 9; ++i)
-            P[9 * q + i] += of_tissue[i];
+          const StepPoint<T> &at = points()[q];
+          save((T(0.5) / at.J) * (cofactor(at.F) * E), along + 9 * q); // 2 sym(F^T dF) = E
+        }
+      clear(dP, 9 * n_points);
+      add_changes(stored, F, field(Base::of_tangents_of_end), along, 1, 0, dP);
+      for (int q = 0; q < n_points; ++q)
+        {
+          const StepPoint<T> &at = points()[q];
+          const Mat3<T>       S  = at.second_stress(at.F, Mat3<T>::load(end + 9 * q));
+          save(at.second_stress(at.F, Mat3<T>::load(dP + 9 * q) - Mat3<T>::load(along + 9 * q) * S), dP + 9 * q);
         }
     }
 
-    /// W[q], without that of the volume.
-    void energies(const Part &part, const T *F_at, T *W) const
+    /// d(chi/2 (S_1 - S_0 + l (C_1 - C_0))) along E, where S_1 changes by @p dS.
+    Mat3<T> dissipated_change(const StepPoint<T> &at, const Mat3<T> &dS, const Mat3<T> &E) const
     {
-      clear(W, n_points);
-      for (int i = 0; i < cells.n_laws; ++i)
-        if (takes(part, i))
-          kernels_of(i).energy(cells.laws[i], points_of(part, F_at, F_rate), reinterpret_cast<double *>(W));
-      for (int q = 0; q < n_points; ++q)
-        {
-          const Kinematics<T> k(F_at + 9 * q);
-          const PointLaw<T>   at = law(part, k, q, F_rate);
-          W[q] += Yeoh<T>(material(q) + material_yeoh).energy_of(at.I1);
-          if (cells.muscle)
-            W[q] += PassiveFibre<T>(material(q)[material_passive]).energy_of(at.lam, &m.curves);
-          if (cells.tendon)
-            W[q] += TendinousFibre<T>(material(q)[material_tendon]).energy_of(at.lam, &m.curves);
-        }
+      const T change = dot(dS, at.change) + dot(at.difference, E) + T(2.) * at.lift * dot(at.change, E);
+      const T dl     = select(at.lift > T(0.), T(-1.) * change / at.square, T(0.));
+      return T(m.dissipation / 2) * (dS + dl * at.change + at.lift * E);
     }
 
-    /// Fills points() from F_before, F and F_rate.
-    void enter_step()
+    /// d(c (C_1 - C_0)) along E, where the stored stress in the middle changes by @p of and is S_end at the end.
+    static MYOLINES_INLINE Mat3<T> secant_change(const StepPoint<T> &at, const Mat3<T> &of, const Mat3<T> &S_end, const Mat3<T> &E)
     {
-      T *U = field(of_U), *rate = field(of_U_rate), *P = field(of_dP), *P_all = field(of_dP_all);
-      T *before = field(of_energies), *after = before + n_points;
-      for (int q = 0; q < n_points; ++q)
-        {
-          StepPoint<T> &at = points()[q];
-          at.move(F_before + 9 * q, F + 9 * q, m.velocities() ? F_rate + 9 * q : nullptr);
-          save(at.U, U + 9 * q);
-          save(at.rate, rate + 9 * q);
-        }
-      const Part stored(*this, false), all(*this, true);
-      const bool mixed = !all_is_stored();
-      energies(stored, F_before, before);
-      energies(stored, F, after);
-      stresses(stored, U, rate, P);
-      if (mixed)
-        stresses(all, U, rate, P_all);
-      for (int q = 0; q < n_points; ++q)
-        {
-          StepPoint<T> &at    = points()[q];
-          at.stored           = at.inverse * Mat3<T>::load(P + 9 * q);
-          const T missing     = after[q] - before[q] - T(0.5) * dot(at.stored, at.change);
-          at.secant           = select(at.has_secant(), T(2.) * missing / at.square, T(0.));
-          const Mat3<T> whole = mixed ? at.inverse * Mat3<T>::load(P_all + 9 * q) : at.stored;
-          at.stress           = whole + at.secant * at.change;
-        }
-    }
-
-    /// d(c (C_1 - C_0)) along E, where the stored stress in the middle changes by @p of and is P_end at the end.
-    static MYOLINES_INLINE Mat3<T> secant_change(const StepPoint<T> &at, const Mat3<T> &of, const Mat3<T> &P_end, const Mat3<T> &E)
-    {
-      const Mat3<T> S_end   = (T(1.) / at.J) * (transpose(cofactor(at.F)) * P_end);
-      const T       missing = dot(S_end, E) - dot(of, at.change) - dot(at.stored, E);
-      const T       dc      = select(at.has_secant(), (missing - T(2.) * at.secant * dot(at.change, E)) / at.square, T(0.));
+      const T missing = dot(S_end, E) - dot(of, at.change) - dot(at.stored, E);
+      const T dc      = select(at.has_secant(), (missing - T(2.) * at.secant * dot(at.change, E)) / at.square, T(0.));
       return dc * at.change + at.secant * E;
     }
 
@@ -315,32 +222,32 @@ namespace myolines
       save(JxW(q) * cofactor(at.F), tangent + step_cofactor);
     }
 
-    /// Tangents of PointLaw in the middle.
-    void remember(const Part &part, T *of_points) const
+    /// Tangents of PointLaw at F_at, the middle or, of what does not depend on rates, the end.
+    void remember(const Part &part, const T *F_at, T *of_points) const
     {
-      const T *U = field(of_U), *rate = field(of_U_rate);
+      const T *rate = field(Base::of_U_rate);
       for (int q = 0; q < n_points; ++q)
         {
-          const Kinematics<T> k(U + 9 * q);
+          const Kinematics<T> k(F_at + 9 * q);
           law(part, k, q, rate + 9 * q).store(rate + 9 * q, T(1.), of_points + q * tangent_size_rate);
         }
     }
 
-    /// dP += w_u dP/dF : along + w_v dP/dFdot : along in the middle.
-    void add_changes(const Part &part, const T *of_points, const T *along, const double w_u, const double w_v, T *dP) const
+    /// dP += w_u dP/dF : along + w_v dP/dFdot : along at F_at, where remember() was.
+    void add_changes(const Part &part, const T *F_at, const T *of_points, const T *along, const double w_u, const double w_v, T *dP) const
     {
-      T *of_law = field(of_laws);
+      T *of_law = field(Base::of_laws);
       clear(of_law, 9 * n_points);
       for (int i = 0; i < cells.n_laws; ++i)
         if (takes(part, i))
-          kernels_of(i).action(cells.laws[i], points_of(part, field(of_U), field(of_U_rate)), {w_u, part.model.viscous ? w_v : 0, false},
+          kernels_of(i).action(cells.laws[i], points_of(part, F_at, field(Base::of_U_rate)), {w_u, part.model.viscous ? w_v : 0, false},
                                reinterpret_cast<const double *>(along), reinterpret_cast<double *>(of_law));
       for (int q = 0; q < n_points; ++q)
         {
           T       of_tissue[9], cofactor[9];
           const T weight = T(1.) / JxW(q);
-          tangent_action(part.model, material(q), Kinematics<T>(field(of_U) + 9 * q), of_points + q * tangent_size_rate, along + 9 * q,
-                         T(1.), w_u, w_v, of_tissue, cofactor);
+          tangent_action(part.model, material(q), Kinematics<T>(F_at + 9 * q), of_points + q * tangent_size_rate, along + 9 * q, T(1.), w_u,
+                         w_v, of_tissue, cofactor);
           for (int i = 0; i < 9; ++i)
             dP[9 * q + i] += of_tissue[i] + weight * of_law[9 * q + i];
         }
@@ -349,12 +256,12 @@ namespace myolines
     /// Of a change of the rate of C, which comes from F_rate and, as this is the rate of F_m, from F_1.
     void add_rates(const Part &all, const SymmetricUnit &unit, T *tangents, const int size)
     {
-      T            *along = field(of_along_rate), *dP = field(of_dP_all);
+      T            *along = field(Base::of_along_rate), *dP = field(Base::of_dP_all);
       const Mat3<T> E = unit.template matrix<T>();
       for (int q = 0; q < n_points; ++q)
         save(T(0.5) * (transpose(points()[q].inverse) * E), along + 9 * q);
       clear(dP, 9 * n_points);
-      add_changes(all, field(of_tangents_of_all), along, 0, 1, dP);
+      add_changes(all, field(Base::of_U), field(Base::of_tangents_of_all), along, 0, 1, dP);
       for (int q = 0; q < n_points; ++q)
         {
           const StepPoint<T> &at     = points()[q];

@@ -194,14 +194,23 @@ namespace myolines
 
     VolumeEnergy<T> volume_energy(const int q) const { return {m.volume_form, material(q)[material_bulk]}; }
 
-    /// Psi_vol' and Psi_vol'' at a point of dilatation D, or what they are between two states.
+    /// Psi_vol' and Psi_vol'' at a point of dilatation D, or what they are between two states. As Psi_vol is convex, what dissipates has
+    /// the sign of the change.
     T volumetric_stress(const int q, const T &D) const
     {
-      return m.before == nullptr ? volume_energy(q).stress(D) : volume_energy(q).secant(expand(earlier, q), D).value;
+      const VolumeEnergy<T> energy = volume_energy(q);
+      if (m.before == nullptr)
+        return energy.stress(D);
+      const T D_0 = expand(earlier, q), secant = energy.secant(D_0, D).value;
+      return m.dissipation == 0 ? secant : secant + T(m.dissipation / 2) * (energy.stress(D) - energy.stress(D_0));
     }
     T volumetric_stiffness(const int q, const T &D) const
     {
-      return m.before == nullptr ? volume_energy(q).stiffness(D) : volume_energy(q).secant(expand(earlier, q), D).slope;
+      const VolumeEnergy<T> energy = volume_energy(q);
+      if (m.before == nullptr)
+        return energy.stiffness(D);
+      const T slope = energy.secant(expand(earlier, q), D).slope;
+      return m.dissipation == 0 ? slope : slope + T(m.dissipation / 2) * energy.stiffness(D);
     }
 
     /// Dilatation and pressure of the state at F, see KernelCells::local. False if J <= 0, D <= 0 or NaN in a filled lane.

@@ -30,10 +30,14 @@ namespace myolines
     T       J;     ///< J_1
 
     // What laws add.
-    Mat3<T> stored; ///< S at the middle, of what has an energy W
-    Mat3<T> stress; ///< all of S but the volumetric part
-    T       secant; ///< c of the discrete gradient S + c (C_1 - C_0), c = 2 (W_1 - W_0 - S : (C_1 - C_0)/2)/|C_1 - C_0|^2
-    T       square; ///< |C_1 - C_0|^2
+    Mat3<T> stored;     ///< S at the middle, of what has an energy W
+    Mat3<T> stress;     ///< all of S but the volumetric part
+    T       secant;     ///< c of the discrete gradient S + c (C_1 - C_0), c = 2 (W_1 - W_0 - S : (C_1 - C_0)/2)/|C_1 - C_0|^2
+    T       square;     ///< |C_1 - C_0|^2
+    Mat3<T> whole;      ///< S at the middle, of all
+    Mat3<T> difference; ///< S_1 - S_0 of what has an energy
+    T       lift; ///< l >= 0 of what dissipates, chi/2 (S_1 - S_0 + l (C_1 - C_0)): its work is not negative, and l = 0 where none need be
+    Mat3<T> before; ///< F_0
 
     /// Below this the formula would divide rounding of W by the change: c = 0, and W is conserved to rounding as the rest is cubic.
     static constexpr double least_square = 1e-9;
@@ -41,13 +45,13 @@ namespace myolines
 
     MYOLINES_INLINE void move(const T *F_0, const T *F_1, const T *rate_of_step)
     {
-      const Mat3<T> before = Mat3<T>::load(F_0);
-      F                    = Mat3<T>::load(F_1);
-      middle               = T(0.5) * (before + F);
-      const Mat3<T> half   = transpose(middle) * (F - before);
-      change               = half + transpose(half);
-      square               = dot(change, change);
-      C_m                  = T(0.5) * (transpose(before) * before + transpose(F) * F);
+      before             = Mat3<T>::load(F_0);
+      F                  = Mat3<T>::load(F_1);
+      middle             = T(0.5) * (before + F);
+      const Mat3<T> half = transpose(middle) * (F - before);
+      change             = half + transpose(half);
+      square             = dot(change, change);
+      C_m                = T(0.5) * (transpose(before) * before + transpose(F) * F);
       triangulate();
       F_rate = rate = Mat3<T>::zero();
       if (rate_of_step != nullptr)
@@ -67,6 +71,12 @@ namespace myolines
       const Mat3<T> cof = cofactor(F);
       const T       dJ  = T(0.5) / J * dot(transpose(cof) * cof, E);
       return (T(2.) / J_sum) * (T(0.5) * mixed(C_m, E) + T(1. / 12.) * mixed(change, E)) - (dJ / J_sum) * volume;
+    }
+
+    /// S = F^(-1) P at a state @p F.
+    static MYOLINES_INLINE Mat3<T> second_stress(const Mat3<T> &F, const Mat3<T> &P)
+    {
+      return (T(1.) / determinant(F)) * (transpose(cofactor(F)) * P);
     }
 
     static MYOLINES_INLINE T determinant(const Mat3<T> &a)

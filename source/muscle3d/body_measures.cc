@@ -278,11 +278,32 @@ namespace myolines
     return modes[0].second;
   }
 
+  namespace
+  {
+    /// Velocities of constrained unknowns without what they owe to free ones: relations between unknowns do no work, whatever is left of
+    /// the equations at the end of a step.
+    Vector prescribed_velocity(const Muscle3dSystem &system, const Vector &v)
+    {
+      Vector owed(v);
+      owed.zero_out_ghost_values();
+      const Constraints &lines = system.constraints();
+      for (const auto i : owed.locally_owned_elements())
+        if (lines.is_constrained(i))
+          owed(i) = 0;
+      system.discretisation().apply_relations(owed);
+      owed.zero_out_ghost_values();
+      for (const auto i : owed.locally_owned_elements())
+        owed(i) = lines.is_constrained(i) ? v(i) - owed(i) : 0;
+      return owed;
+    }
+  } // namespace
+
   std::vector<Reaction> measure_reactions(const Muscle3dSystem &system, const State &state, const Side side)
   {
     const NodeSpace &space = *system.discretisation().space;
     Vector           r     = space.make_vector();
     system.residual({state.t, side, state.u, state.v, state.a}, r);
+    const Vector v = prescribed_velocity(system, state.v);
 
     // On an edge that two faces share the later condition holds, and the reaction is its own.
     std::vector<Reaction>                     reactions;
@@ -308,7 +329,7 @@ namespace myolines
                 if (const auto i = 3 * node + c; components[c] && space.owned_unknowns().is_element(i) && taken.insert(i).second)
                   {
                     pull[c] = r(i);
-                    reaction.power += r(i) * state.v(i);
+                    reaction.power += r(i) * v(i);
                   }
               if (space.owned_unknowns().is_element(3 * node))
                 for (unsigned int c = 0; c < 3; ++c)

@@ -91,6 +91,7 @@ namespace myolines
     model.rate          = model.active && parameters.force_velocity();
     model.inertia       = parameters.dynamic;
     model.exact_tangent = parameters.exact_tangent;
+    model.rate_tangent  = parameters.rate_tangent;
     model.viscous       = parameters.viscous();
     model.softened      = false;
     model.keep_gradient = false;
@@ -98,6 +99,7 @@ namespace myolines
     model.volume_form   = parameters.volume_form;
     model.curves        = parameters.fibre_curves();
     model.before        = nullptr;
+    model.dissipation   = 0;
     return model;
   }
 } // namespace myolines

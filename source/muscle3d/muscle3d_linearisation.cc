@@ -17,6 +17,12 @@ namespace myolines
       ledger.count(std::string("mass in ") + sweep);
   }
 
+  void of_step(const Point &point, const double *before, KernelModel &model)
+  {
+    model.before      = before;
+    model.dissipation = point.dissipation;
+  }
+
   KernelCells with_local(KernelCells cells, const LocalUnknowns *local, const std::size_t at)
   {
     if (local != nullptr)
@@ -45,7 +51,7 @@ namespace myolines
       {
         before_ = *point.before;
         before_.update_ghost_values();
-        model_.before = before_.begin();
+        of_step(point, before_.begin(), model_);
       }
     if (model_.velocities() || surface_.rates())
       {
@@ -62,11 +68,9 @@ namespace myolines
 
   void Muscle3dLinearisation::find_faces(const Point &point)
   {
-    const MiddleOfStep middle(u_, point.before != nullptr ? &before_ : nullptr);
-    faces_ = surface_.tangents({point.t, point.side, middle.vector(), v_, point.a}, !parameters_.exact_tangent);
-    if (point.before != nullptr) // of which u_1 is half
-      for (SurfaceForces::Tangent &face : faces_)
-        face.stiffness *= 0.5;
+    faces_ =
+        surface_.tangents({point.t, point.side, u_, v_, point.a, nullptr, point.before != nullptr ? &before_ : nullptr, point.dissipation},
+                          !parameters_.exact_tangent);
     if (faces_of_.empty())
       for (std::size_t i = 0; i < faces_.size(); ++i)
         faces_of_[faces_[i].cell->id()].push_back(i);

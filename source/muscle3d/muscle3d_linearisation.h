@@ -19,6 +19,9 @@ namespace myolines
   /// Ledger counts of the optional terms that a sweep over the body evaluates.
   void count_terms(const KernelModel &model, const char *sweep, WorkLedger &ledger);
 
+  /// @p model becomes that of the step of @p point from the local array @p before.
+  void of_step(const Point &point, const double *before, KernelModel &model);
+
   /// @p cells with the local unknowns of their batch, which begin at @p at; null: none.
   KernelCells with_local(KernelCells cells, const LocalUnknowns *local, std::size_t at);
 

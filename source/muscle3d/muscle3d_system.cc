@@ -64,7 +64,8 @@ namespace myolines
                                       [](const auto &condition) { return condition->facts().follows; });
     const bool flows    = parameters_.viscous() || parameters_.force_velocity();
     c.rates             = flows || surface_forces_->rates();
-    c.symmetric_tangent = !parameters_.exact_tangent || (!flows && !follows);
+    const bool couples  = parameters_.viscous() || (parameters_.force_velocity() && parameters_.rate_tangent.by_gradient != 0);
+    c.symmetric_tangent = !parameters_.exact_tangent || (!couples && !follows);
     c.energy            = parameters_.dynamic;
     c.two_states        = parameters_.dynamic;
     c.orders            = {parameters_.dynamic ? 2u : 0u};
@@ -114,7 +115,7 @@ namespace myolines
     const CurrentGhosts           u(point.u), v(point.v, model.velocities() || surface_forces_->rates()), a(point.a, model.inertia);
     const CellSweep               cells = sweep();
     if (point.before != nullptr)
-      model.before = before.begin();
+      of_step(point, before.begin(), model);
 
     r.zero_out_ghost_values();
     r = 0;
@@ -139,8 +140,10 @@ namespace myolines
     double loads = 0;
     if (surface_forces_->any())
       {
-        const MiddleOfStep middle(u.vector(), point.before != nullptr ? &before.vector() : nullptr);
-        loads = surface_forces_->subtract({point.t, point.side, middle.vector(), v.vector(), point.a}, r);
+        Point at{point.t, point.side, u.vector(), v.vector(), point.a, nullptr, nullptr, point.dissipation};
+        if (point.before != nullptr)
+          at.before = &before.vector();
+        loads = surface_forces_->subtract(at, r);
       }
     r.compress(dealii::VectorOperation::add);
     if (loads_->any_external())
@@ -185,7 +188,7 @@ namespace myolines
     const CellSweep               cells = sweep();
     KernelModel                   model = kernel_model(parameters_, {});
     if (trial.before != nullptr)
-      model.before = before.begin();
+      of_step(trial, before.begin(), model);
     trial_z.values.resize_fast(z.values.size());
     for (unsigned int b = 0; b < d.batches->n_batches(); ++b)
       {
@@ -203,6 +206,19 @@ namespace myolines
   void Muscle3dSystem::linearise(const Point &point, Linearisation &linearisation) const
   {
     dynamic_cast<Muscle3dLinearisation &>(linearisation).refill(point, activation(point.t, point.side));
+  }
+
+  std::vector<Vector> Muscle3dSystem::rigid_motions(const Vector &w) const
+  {
+    std::vector<Vector> fields(6, still_state().u);
+    for (unsigned int e = 0; e < 3; ++e)
+      for (unsigned int i = 0; i < w.locally_owned_size(); i += 3)
+        {
+          fields[e].local_element(i + e)               = 1;
+          fields[3 + e].local_element(i + (e + 1) % 3) = -w.local_element(i + (e + 2) % 3);
+          fields[3 + e].local_element(i + (e + 2) % 3) = w.local_element(i + (e + 1) % 3);
+        }
+    return fields;
   }
 
   std::vector<double> Muscle3dSystem::events(const double t0, const double t1) const

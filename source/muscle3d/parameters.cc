@@ -184,6 +184,20 @@ namespace myolines
         read_own_tissues(lists.section("own"), of_body, along, p);
       refuse_rates_at_rest(lists, p);
     }
+    /// Of the choice `tangent`. The thesis takes the change of the strain rate for that of the stretch over the step, (5.7.8), and tells of
+    /// formulas before it, (5.7.14) and (5.7.15); Flexodeal was first published with five times that term.
+    RateTangent rate_tangent(const std::string &name)
+    {
+      if (name == "thesis")
+        return {1, 0, 0};
+      if (name == "flexodeal")
+        return {5, 0, 0};
+      if (name == "ross")
+        return {0, 0, -1};
+      if (name == "tam")
+        return {0, 0, 1};
+      return {};
+    }
   } // namespace
 
   TissueNames read_tissue_names(const Node &lists)
@@ -246,8 +260,10 @@ namespace myolines
 
     Schema system("Three-dimensional muscle, nearly incompressible and fibre-reinforced, thesis chapters 5 and 6.");
     system.choice("inertia", "dynamic", {"dynamic", "quasi-static"}, "Whether mass and strain rate take part.")
-        .choice("tangent", "exact", {"exact", "symmetrised"},
-                "Linearisation: exact (Newton converges quadratically) or its symmetric part.")
+        .choice("tangent", "exact", {"exact", "symmetrised", "thesis", "flexodeal", "ross", "tam"},
+                "Linearisation, which changes iterations and not solutions: exact (Newton's method converges quadratically), its symmetric "
+                "part, or the force-velocity relation linearised by the strain rate as a function of the stretch alone: (5.7.8) of the "
+                "thesis, that five times too large (errata 29), (5.7.14), (5.7.15).")
         .section("geometry", geometry_schema())
         .section("discretisation", discretisation)
         .section("tissues", tissues_schema())
@@ -265,7 +281,8 @@ namespace myolines
   {
     Muscle3dParameters p;
     p.dynamic       = system.text("inertia") == "dynamic";
-    p.exact_tangent = system.text("tangent") == "exact";
+    p.exact_tangent = system.text("tangent") != "symmetrised";
+    p.rate_tangent  = rate_tangent(system.text("tangent"));
     p.degree        = system.section("discretisation").integer("degree");
     p.n_points      = system.section("discretisation").integer("quadrature points");
 

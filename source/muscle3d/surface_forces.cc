@@ -50,6 +50,7 @@ namespace myolines
             if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition->facts().face)
               add_face(cell, f, *condition);
     find_areas(conditions);
+    find_potentials(parameters);
   }
 
   /// Tangents run along the two axes after that across the face, so that their product points along that one.
@@ -140,14 +141,60 @@ namespace myolines
     return x;
   }
 
+  /// The mean of the product x1 x x2 of edges that move evenly is (b1 x b2 + e1 x e2)/3 + (b1 x e2 + e1 x b2)/6.
+  FaceStep SurfaceForces::step(const Face &face, const std::size_t q, const Point &point) const
+  {
+    const Point begin{point.t, point.side, *point.before, point.v, point.a};
+    FaceStep    x{motion(face, q, begin), motion(face, q, point), {}};
+    x.middle.u = (x.begin.u + x.end.u) / 2;
+    x.middle.v = x.end.v;
+    if (!face.condition->facts().follows)
+      return x;
+    const auto [b1, b2] = edges(face, q, *point.before);
+    const auto [e1, e2] = edges(face, q, point.u);
+    x.middle.area = (x.begin.area + x.end.area) / 3 + weights_[q] * face.sign / 6 * (cross_product_3d(b1, e2) + cross_product_3d(e1, b2));
+    return x;
+  }
+
+  Vector3 SurfaceForces::force(const Face &face, const std::size_t q, const Point &point) const
+  {
+    const BoundaryCondition &condition = *face.condition;
+    if (point.before == nullptr)
+      return condition.force(point.t, point.side, face.points[q], motion(face, q, point));
+    const FaceStep x   = step(face, q, point);
+    Vector3        sum = condition.force_of_step(point.t, point.side, face.points[q], x);
+    if (point.dissipation != 0 && condition.facts().supports)
+      sum += point.dissipation / 2 *
+             (condition.force(point.t, point.side, face.points[q], x.end) - condition.force(point.t, point.side, face.points[q], x.begin));
+    return sum;
+  }
+
+  ForceTangent SurfaceForces::tangent(const Face &face, const std::size_t q, const Point &point) const
+  {
+    const BoundaryCondition &condition = *face.condition;
+    if (point.before == nullptr)
+      return condition.tangent(point.t, point.side, face.points[q], motion(face, q, point));
+    const FaceStep x = step(face, q, point);
+    ForceTangent   k = condition.tangent_of_step(point.t, point.side, face.points[q], x);
+    if (point.dissipation != 0 && condition.facts().supports)
+      k.by_u += point.dissipation / 2 * condition.tangent(point.t, point.side, face.points[q], x.end).by_u;
+    return k;
+  }
+
   void SurfaceForces::add_tangent(const Face &face, const std::size_t q, const Point &point, Tangent &tangent) const
   {
     const BoundaryFacts &facts = face.condition->facts();
-    const ForceTangent   k     = face.condition->tangent(point.t, point.side, face.points[q], motion(face, q, point));
+    const ForceTangent   k     = this->tangent(face, q, point);
     Matrix3              by_x1, by_x2; // d(area) = w (dx1 x x2 + x1 x dx2)
     if (facts.follows)
       {
-        const auto [x1, x2] = edges(face, q, point.u);
+        auto [x1, x2] = edges(face, q, point.u);
+        if (point.before != nullptr) // derivatives of the mean area by the end
+          {
+            const auto [b1, b2] = edges(face, q, *point.before);
+            x1                  = x1 / 3 + b1 / 6;
+            x2                  = x2 / 3 + b2 / 6;
+          }
         for (unsigned int c = 0; c < 3; ++c)
           {
             Vector3 unit;
@@ -191,7 +238,7 @@ namespace myolines
   {
     double squares = 0;
     for_each_point(pushing, [&](const Face &face, const std::size_t q) {
-      const Vector3 at = face.condition->force(point.t, point.side, face.points[q], motion(face, q, point));
+      const Vector3 at = force(face, q, point);
       squares += at * at;
       for (std::size_t i = 0; i < face.nodes.size(); ++i)
         for (unsigned int c = 0; c < 3; ++c)
@@ -241,7 +288,11 @@ namespace myolines
       const BoundaryCondition &condition = *face.condition;
       const FaceMotion         x         = motion(face, q, point, true);
       sums[0] += condition.energy(point.t, point.side, face.points[q], x);
-      sums[1] += condition.power(point.t, point.side, face.points[q], x);
+      if (has_potential(condition)) // of the volume x.n/3 dA below the face, beside that at rest
+        sums[0] += *condition.constant_pressure() / 3 *
+                   ((face.points[q].place + x.u) * x.area - Vector3(face.points[q].place) * face.points[q].normal * face.points[q].area);
+      else
+        sums[1] += condition.power(point.t, point.side, face.points[q], x);
       sums[2] += condition.dissipation(point.t, point.side, face.points[q], x);
     });
     dealii::Utilities::MPI::sum(sums, d_.communicator, sums);

@@ -104,6 +104,12 @@ namespace myolines
   {
     /// Of the mass to the support.
     double difference(const Vector &x) { return x.size() == 2 ? x.local_element(0) - x.local_element(1) : x.local_element(0); }
+
+    /// Of the spring.
+    double force_of(const OscillatorParameters &p, const double stretch)
+    {
+      return stretch * (p.stiffness + p.cubic_stiffness * stretch * stretch);
+    }
   } // namespace
 
   Evaluation OscillatorSystem::residual(const Point &point, Vector &r) const
@@ -112,8 +118,9 @@ namespace myolines
     const double stretch = difference(point.u), before = point.before != nullptr ? difference(*point.before) : stretch;
     const double middle = (before + stretch) / 2,
                  square = (before * before + stretch * stretch) / 2; // of s^4/4 the secant is square middle
+    const double lost   = point.dissipation / 2 * (force_of(parameters_, stretch) - force_of(parameters_, before));
     const double spring =
-        parameters_.damping * difference(point.v) + (parameters_.stiffness + parameters_.cubic_stiffness * square) * middle;
+        parameters_.damping * difference(point.v) + (parameters_.stiffness + parameters_.cubic_stiffness * square) * middle + lost;
     const double load = parameters_.force ? parameters_.force->value(point.t, point.side) : 0;
 
     r.local_element(0) = parameters_.mass * point.a.local_element(0) + spring - load;
@@ -138,12 +145,14 @@ namespace myolines
   {
     ledger_.count("linearisations");
     const double stretch   = difference(point.u);
-    double       stiffness = parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch;
+    const double at_end    = parameters_.stiffness + 3 * parameters_.cubic_stiffness * stretch * stretch;
+    double       stiffness = at_end;
     if (point.before != nullptr)
       {
         const double before = difference(*point.before), middle = (before + stretch) / 2;
         const double square = (before * before + stretch * stretch) / 2;
-        stiffness = (parameters_.stiffness + parameters_.cubic_stiffness * square) / 2 + parameters_.cubic_stiffness * stretch * middle;
+        stiffness = (parameters_.stiffness + parameters_.cubic_stiffness * square) / 2 + parameters_.cubic_stiffness * stretch * middle +
+                    point.dissipation / 2 * at_end;
       }
     auto &bands = dynamic_cast<StoredBands &>(linearisation);
     bands.begin();

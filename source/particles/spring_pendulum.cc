@@ -84,13 +84,22 @@ namespace myolines
     ledger_.count("residual evaluations");
     const SpringPendulumParameters &p   = parameters_;
     const Plane                     end = place(point.u), begin = place(point.before != nullptr ? *point.before : point.u);
-    const double                    lengths = distance(begin) + distance(end), tension = p.stiffness * (1 - 2 * p.length / lengths);
+    const double                    lengths = distance(begin) + distance(end);
+    const double tension = p.stiffness * (1 - 2 * p.length / lengths + point.dissipation * (distance(end) - distance(begin)) / lengths);
     for (const unsigned int c : {0, 1})
       r.local_element(c) = p.mass * (point.a.local_element(c) + (c == 1 ? p.gravity : 0)) + tension * (begin[c] + end[c]) / 2;
     if (std::isfinite(r.local_element(0)) && std::isfinite(r.local_element(1)))
       return {};
     r = std::numeric_limits<double>::quiet_NaN();
     return {false, "the spring has no direction"};
+  }
+
+  std::vector<Vector> SpringPendulum::rigid_motions(const Vector &w) const
+  {
+    Vector turned(w);
+    turned.local_element(0) = -w.local_element(1);
+    turned.local_element(1) = w.local_element(0);
+    return {turned};
   }
 
   std::unique_ptr<Linearisation> SpringPendulum::make_linearisation() const
@@ -112,8 +121,10 @@ namespace myolines
         {
           const double middle = (begin[i] + end[i]) / 2;
           bands.mass(i, j)    = i == j ? p.mass : 0;
+          const double lost   = point.dissipation / lengths;
+          const double slope  = 2 * (2 * p.length + 2 * point.dissipation * distance(begin)) / (lengths * lengths) * end[j] / r;
           bands.stiffness(i, j) =
-              share * p.stiffness * ((i == j ? 1 - 2 * p.length / lengths : 0) + 4 * p.length / (lengths * lengths) * middle * end[j] / r);
+              share * p.stiffness * ((i == j ? 1 - 2 * p.length / lengths + lost * (r - distance(begin)) : 0) + middle * slope);
         }
   }
 

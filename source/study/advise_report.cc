@@ -32,6 +32,8 @@ namespace myolines::study
       text += "\n  error   about " + with_unit(digits(steps + mesh, 2), value.header) + ": " + digits(steps, 2) + " of the steps";
       if (report.advice.trial)
         text += ", as tried (predicted " + digits(report.advice.errors[q], 2) + ")";
+      else // measured, see doc/advise.md
+        text += ", by the pilot alone (of such errors 1/15 to 30 times have been measured)";
       text += report.mesh.rung == nullptr || mesh == 0 ? "" : ", " + digits(mesh, 2) + " of the mesh";
       if (value.value != 0)
         text += "; " + digits(100 * (steps + mesh) / std::abs(value.value), 2) + " % of " + digits(value.value, 4);

@@ -151,6 +151,8 @@ namespace myolines
 
   void StageSolver::linearise(const Point &point) { work_->linearise(point, false); }
 
+  void StageSolver::linearise_mass(const Point &point) { work_->linearise(point, true); }
+
   void record(const NonlinearReport &solve, StepReport &step)
   {
     step.newton_iterations += solve.iterations;

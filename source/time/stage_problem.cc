@@ -30,6 +30,8 @@ namespace myolines
     const Weights at = stage.average != nullptr ? stage.average->weight : Weights{1, 1, 1};
     weights_         = stage_weights(stage.scale * at.u * stage.c.u, stage.scale * at.v * stage.c.v, stage.scale * at.a * stage.c.a);
     work_.weights    = weights_[2];
+    if (stage.beyond != nullptr) // between the mass that rigid motions meet and that of all others: 1 + chi times it, and it
+      weights_[2].a *= 1 + stage.dissipation / 2;
     if (stage.prescribed)
       shift_predictors(d);
     if (stage.c.u != 0 && !work_.capabilities.linear)
@@ -146,6 +148,12 @@ namespace myolines
   {
     open_ = 0;
     set_end(d);
+    if (stage_.beyond != nullptr)
+      {
+        stage_.beyond->evaluate(work_.end.u, work_.beyond);
+        combine(work_.end.v, {{1, &work_.end.v}, {1, &work_.beyond}});
+        combine(work_.end.a, {{1, &work_.end.a}, {stage_.beyond_rate, &work_.beyond}});
+      }
     swap(work_.end, predictor_);
     State &state = predictor_;
     if (stage_.prescribed && work_.rates == BoundaryRates::exact)
@@ -178,14 +186,19 @@ namespace myolines
     set_end(d);
     const State &end = work_.end;
     if (stage_.average == nullptr)
-      return {stage_.t, stage_.side, end.u, end.v, end.a, nullptr, stage_.before};
+      return {stage_.t, stage_.side, end.u, end.v, end.a, nullptr, stage_.before, stage_.dissipation};
     const Stage::Average &at      = *stage_.average;
     State                &average = work_.average;
     combine(average.u, {{1, &at.offset->u}, {at.weight.u, &end.u}});
     combine(average.v, {{1, &at.offset->v}, {at.weight.v, &end.v}});
     combine(average.a, {{1, &at.offset->a}, {at.weight.a, &end.a}});
+    if (stage_.beyond != nullptr)
+      {
+        stage_.beyond->evaluate(end.u, work_.beyond);
+        combine(average.a, {{1, &average.a}, {at.weight.a * stage_.beyond_rate, &work_.beyond}});
+      }
     update_ghosts(average);
-    return {at.t, stage_.side, average.u, average.v, average.a, nullptr, stage_.before};
+    return {at.t, stage_.side, average.u, average.v, average.a, nullptr, stage_.before, stage_.dissipation};
   }
 
   void StageProblem::shift_predictors(const Vector &d)

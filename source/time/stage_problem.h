@@ -26,6 +26,7 @@ namespace myolines
       , capabilities(system.capabilities())
       , linearisation(system.make_linearisation())
       , gap(context.make_vector())
+      , beyond(gap)
       , end(context.make_state())
       , average(end)
       , free(system.constraints(), gap)
@@ -54,6 +55,7 @@ namespace myolines
     bool                           linearised = false;
     Vector                         local_step; ///< a Newton step of the local unknowns
     Vector                         gap;        ///< from the velocities of the first guess to those given for it
+    Vector                         beyond;     ///< Stage::Beyond
     State                          end;        ///< of the stage
     State                          average;    ///< where the residual is evaluated, if not there
     const FreeUnknowns             free;

@@ -76,5 +76,32 @@ namespace myolines
         }
       EXPECT_GT(iterations[0], iterations[1]);
     }
+
+    /// Thesis, remark 5.11: whatever the tangent makes of the strain rate, what the method converges to is the same, but it takes longer.
+    TEST(NewtonIterationsOf, TheTangentsOfTheThesisAreMoreToTheSameSolution)
+    {
+      struct Run
+      {
+        unsigned int iterations;
+        Vector       u;
+      };
+      const auto run = [](const RateTangent &rate) {
+        Muscle3dParameters p = isometric();
+        p.rate_tangent       = rate;
+        p.n_points           = 3;
+        test::Simulation simulation(p, {"relative tolerance=1e-9", "absolute tolerance=1e-14", "maximum iterations=200"});
+        simulation.go("backward euler", 4, 0.05, [](const State &) {});
+        return Run{static_cast<unsigned int>(simulation.solvers.ledger.counted("newton iterations")), simulation.state.u};
+      };
+      const Run exact = run({}), thesis = run({1, 0, 0}), flexodeal = run({5, 0, 0});
+      EXPECT_GE(thesis.iterations, exact.iterations);
+      EXPECT_GT(flexodeal.iterations, 2 * exact.iterations);
+      for (const Run *other : {&thesis, &flexodeal})
+        {
+          Vector difference = other->u;
+          difference -= exact.u;
+          EXPECT_LT(difference.linfty_norm(), 1e-7 * exact.u.linfty_norm());
+        }
+    }
   } // namespace
 } // namespace myolines

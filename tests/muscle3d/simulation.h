@@ -25,11 +25,12 @@ namespace myolines::test
 
     /// Visits the state at the beginning and after every step.
     template <typename Visitor>
-    void go(const std::string &method, const unsigned int steps, const double end, const Visitor &visit)
+    void go(const std::string &method, const unsigned int steps, const double end, const Visitor &visit,
+            const myolines::testing::Overrides &of_method = {})
     {
       const IntegratorEntry &entry = integrator_entry(method);
       const auto             integrator =
-          entry.make(myolines::testing::node(entry.schema), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
+          entry.make(myolines::testing::node(entry.schema, of_method), {system, solvers.nonlinear, BoundaryRates::exact, solvers.ledger});
       integrator->start(state);
       visit(state);
       for (unsigned int i = 0; i < steps; ++i)

@@ -17,13 +17,14 @@ namespace myolines
       std::string  name;
       unsigned int degree, n_points;
       bool         dynamic = true, active = true;
-      std::string  tissue = "muscle"; ///< of all cells
-      double       fat    = 0;
-      bool         fields = false; ///< everything varies in space
-      bool         smooth = false; ///< smooth curves, two regions of activation
-      bool         laws   = false; ///< all laws of the list are added
-      bool         step   = false; ///< forces of two states
-      VolumeForm   volume = VolumeForm::thesis;
+      std::string  tissue      = "muscle"; ///< of all cells
+      double       fat         = 0;
+      bool         fields      = false; ///< everything varies in space
+      bool         smooth      = false; ///< smooth curves, two regions of activation
+      bool         laws        = false; ///< all laws of the list are added
+      bool         step        = false; ///< forces of two states
+      VolumeForm   volume      = VolumeForm::thesis;
+      double       dissipation = 0; ///< of a step
 
       bool rates() const { return dynamic && (active || laws); }
     };
@@ -53,6 +54,13 @@ namespace myolines
           Case c = *std::find_if(all.begin(), all.end(), [&](const Case &other) { return other.name == name; });
           c.name = "step_of_" + c.name;
           c.step = true;
+          all.push_back(c);
+        }
+      for (const char *name : {"step_of_q1", "step_of_q3", "step_of_fields", "step_of_laws", "step_of_tendon"})
+        {
+          Case c        = *std::find_if(all.begin(), all.end(), [&](const Case &other) { return other.name == name; });
+          c.name        = std::string("dissipative_") + name;
+          c.dissipation = 0.6;
           all.push_back(c);
         }
       for (const VolumeForm form : {VolumeForm::quadratic, VolumeForm::logarithmic})
@@ -103,7 +111,10 @@ namespace myolines
         before_ *= 0.8;
       }
 
-      Point point(const State &s) const { return {0, Side::left, s.u, s.v, s.a, nullptr, GetParam().step ? &before_ : nullptr}; }
+      Point point(const State &s) const
+      {
+        return {0, Side::left, s.u, s.v, s.a, nullptr, GetParam().step ? &before_ : nullptr, GetParam().dissipation};
+      }
 
       static Muscle3dParameters make()
       {
@@ -259,11 +270,17 @@ namespace myolines
 
     TEST_P(Taylor, AssembledMatrixEqualsAction)
     {
+      struct Kind
+      {
+        bool        exact;
+        RateTangent rate;
+      };
       for (const Weights &w : {Weights{1, 0, 0}, Weights{0, 1, 0}, Weights{0, 0, 1}, Weights{1, 80, 6400}})
-        for (const bool exact : {true, false})
+        for (const auto &[exact, rate] : {Kind{true, {}}, Kind{false, {}}, Kind{true, {5, 0, 0}}, Kind{true, {0, 0, -1}}})
           {
             Muscle3dParameters parameters = make();
             parameters.exact_tangent      = exact;
+            parameters.rate_tangent       = rate;
             Muscle3dSystem system(parameters, MPI_COMM_WORLD, ledger_);
             system.move_mesh(distort);
             const auto linearisation = system.make_linearisation();

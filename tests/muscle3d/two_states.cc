@@ -74,10 +74,10 @@ namespace myolines
           }
       }
 
-      Vector force(const Vector &before, const Vector &after) const
+      Vector force(const Vector &before, const Vector &after, const double dissipation = 0) const
       {
         Vector           r(after);
-        const Evaluation evaluation = system_.residual({0, Side::left, after, end_.v, zero_, nullptr, &before}, r);
+        const Evaluation evaluation = system_.residual({0, Side::left, after, end_.v, zero_, nullptr, &before, dissipation}, r);
         EXPECT_TRUE(evaluation.admissible) << evaluation.reason;
         return r;
       }
@@ -113,6 +113,30 @@ namespace myolines
         }
     }
 
+    /// By more the larger the dissipation, and over small changes of the body at rest by chi/2 of the work of the change of the force.
+    TEST_P(TwoStates, DissipationTakesEnergy)
+    {
+      if (GetParam().active)
+        return;
+      for (const double part : {1., -0.3, 1e-2, 1e-4})
+        {
+          Vector after(begin_.u), change(begin_.u);
+          after.sadd(1 - part, part, end_.u);
+          change -= after;
+          change *= -1;
+          const double none = force(begin_.u, after) * change, half = force(begin_.u, after, 0.5) * change,
+                       whole = force(begin_.u, after, 1) * change;
+          EXPECT_GT(half - none, 0) << part;
+          EXPECT_NEAR(whole - none, 2 * (half - none), 1e-9 * (whole - none) + 1e-13 * std::abs(none)) << part;
+        }
+      Vector after(end_.u);
+      after *= 1e-3;
+      Vector difference = force(after, after);
+      difference -= force(zero_, zero_);
+      const double taken = force(zero_, after, 1) * after - force(zero_, after) * after, half = difference * after / 2;
+      EXPECT_NEAR(taken, half, 0.02 * half);
+    }
+
     /// Resultant and moment about the origin of @p f on the body displaced by @p u.
     std::pair<dealii::Tensor<1, 3>, dealii::Tensor<1, 3>> resultants(const NodeSpace &space, const Vector &f, const Vector &u)
     {
@@ -133,12 +157,15 @@ namespace myolines
 
     TEST_P(TwoStates, ForcesBalanceInTheMiddle)
     {
-      const Vector f = force(begin_.u, end_.u);
-      Vector       middle(begin_.u);
+      Vector middle(begin_.u);
       middle.sadd(0.5, 0.5, end_.u);
-      const auto [sum, moment] = resultants(*system_.discretisation().space, f, middle);
-      EXPECT_LT(sum.norm(), 1e-12 * f.l1_norm());
-      EXPECT_LT(moment.norm(), 1e-12 * f.l1_norm() * 0.03);
+      for (const double dissipation : {0., 0.7})
+        {
+          const Vector f           = force(begin_.u, end_.u, dissipation);
+          const auto [sum, moment] = resultants(*system_.discretisation().space, f, middle);
+          EXPECT_LT(sum.norm(), 1e-12 * f.l1_norm());
+          EXPECT_LT(moment.norm(), 1e-12 * f.l1_norm() * 0.03);
+        }
     }
 
     TEST_P(TwoStates, OfOneStateTheyAreItsForces)
@@ -220,6 +247,33 @@ namespace myolines
     INSTANTIATE_TEST_SUITE_P(KappaOverMu, Thrown, ::testing::Values(100., 5000.),
                              [](const auto &info) { return std::to_string(static_cast<int>(info.param)); });
 
+    /// Momenta stay, and in every step energy falls, by more the more is damped.
+    TEST(Thrown, ADissipativeMethodKeepsMomentaAndLosesEnergyOnly)
+    {
+      constexpr double mu   = 2e4;
+      double           lost = 0;
+      for (const char *radius : {"0.8", "0.4"})
+        {
+          test::Simulation run(thrown_bar(mu, 100 * mu), {"relative tolerance=1e-11", "absolute tolerance=2e-10"});
+          const Momenta    first    = measure_momenta(run.system, run.state);
+          const auto       energy   = [&](const State &state) { return run.system.energetics(state, Side::left).energy; };
+          const double     at_start = energy(run.state);
+          double           last     = at_start;
+          run.go("dissipative energy momentum", 30, 0.03,
+                 [&](const State &state) {
+                   const Momenta now = measure_momenta(run.system, state);
+                   EXPECT_LE(energy(state), last * (1 + 1e-10)) << state.t;
+                   EXPECT_LT((now.momentum - first.momentum).norm(), 1e-10 * first.momentum.norm()) << state.t;
+                   EXPECT_LT((now.angular_momentum - first.angular_momentum).norm(), 1e-10 * first.angular_momentum.norm()) << state.t;
+                   last = energy(state);
+                 },
+                 {std::string("spectral radius at infinity=") + radius});
+          EXPECT_GT(at_start - last, 1.2 * lost);
+          lost = at_start - last;
+        }
+      EXPECT_GT(lost, 1e-4);
+    }
+
     TEST(Held, ConstantLoadsAndSpringsKeepTheirEnergy)
     {
       Muscle3dParameters p = thrown_bar(2e4, 2e6);
@@ -238,6 +292,47 @@ namespace myolines
         EXPECT_NEAR(now.energy - first.energy, work, 1e-8 * largest) << state.t;
       });
       EXPECT_GT(largest, 1e-6);
+    }
+
+    /// Runs a held bar that is let go from a stretch or thrown, and watches its energy, which nothing changes.
+    void expect_conserved(const BoundaryConditions &boundary, const std::string &velocity, const unsigned int steps)
+    {
+      Muscle3dParameters p = thrown_bar(2e4, 2e6);
+      p.boundary           = boundary;
+      p.initial.velocity   = std::array<std::string, 3>{{velocity, "0", "0"}};
+      test::Simulation run(p, {"relative tolerance=1e-11", "absolute tolerance=1e-13"});
+      const Energetics first = run.system.energetics(run.state, Side::right);
+      double           most = 0, gap = 0;
+      run.go("energy momentum", steps, steps * 2e-3, [&](const State &state) {
+        const Energetics now = run.system.energetics(state, Side::left);
+        EXPECT_NEAR(now.rates.external, 0, 1e-12) << state.t;
+        State still = state;
+        still.v     = 0;
+        most        = std::max(most, run.system.energetics(still, Side::left).energy);
+        gap         = std::max(gap, std::abs(now.energy - first.energy));
+      });
+      EXPECT_GT(most, 1e-2 * first.energy);
+      EXPECT_LT(gap, 1e-6 * std::max(most, first.energy));
+    }
+
+    TEST(Held, CurvedTendonsAndStopsKeepTheirEnergy)
+    {
+      expect_conserved(
+          {test::held(0), test::condition("tendon spring", 1,
+                                          {"direction=-1 0 0", "spring/type=tendinous", "spring/force=3", "spring/slack length=0.05"})},
+          "-20*x", 100);
+      expect_conserved(
+          {test::held(0), test::condition("isotonic", 1, {"direction=1 0 0", "force=0", "stop/stiffness=3e3", "stop/position=1e-3"})},
+          "20*x", 100);
+    }
+
+    /// Where nothing moves the edge of the face a pressure that follows it has an energy.
+    TEST(Held, PressuresOnFacesWithHeldEdgesKeepTheirEnergy)
+    {
+      expect_conserved({test::held(0), test::held(1), test::held(2), test::held(3),
+                        test::condition("follower pressure", 5, {"pressure=2e3"}),
+                        test::condition("follower pressure", 4, {"pressure=1e3"})},
+                       "200*z*x*(0.06 - x)*y*(0.01 - y)/1e-7", 60);
     }
   } // namespace
 } // namespace myolines

@@ -178,9 +178,14 @@ TEST(SpringPendulum, ForcesOfTwoStatesDoTheWorkAndHaveNoMoment)
   EXPECT_NEAR((begin.u(0) + end.u(0)) * r(1) - (begin.u(1) + end.u(1)) * r(0), 0, 1e-13 * p.stiffness);
 
   const auto linearisation = system.make_linearisation();
-  for (const Vector *before : {static_cast<const Vector *>(nullptr), static_cast<const Vector *>(&begin.u)})
+  struct Of
+  {
+    const Vector *before;
+    double        dissipation;
+  };
+  for (const auto &[before, dissipation] : {Of{nullptr, 0}, Of{&begin.u, 0}, Of{&begin.u, 0.6}})
     {
-      system.linearise({0, Side::left, end.u, end.v, end.a, nullptr, before}, *linearisation);
+      system.linearise({0, Side::left, end.u, end.v, end.a, nullptr, before, dissipation}, *linearisation);
       for (const unsigned int c : {0, 1})
         {
           Vector       direction(end.u), line(end.u), up(end.u), down(end.u);
@@ -192,7 +197,7 @@ TEST(SpringPendulum, ForcesOfTwoStatesDoTheWorkAndHaveNoMoment)
             {
               Vector u(end.u);
               u(c) += sign * h;
-              system.residual({0, Side::left, u, end.v, end.a, nullptr, before}, sign > 0 ? up : down);
+              system.residual({0, Side::left, u, end.v, end.a, nullptr, before, dissipation}, sign > 0 ? up : down);
             }
           for (const unsigned int i : {0, 1})
             EXPECT_NEAR(line(i), (up(i) - down(i)) / (2 * h), 1e-8 * p.stiffness);
@@ -226,6 +231,26 @@ TEST(SpringPendulum, KeepsEnergyAndAngularMomentumInLongSteps)
     longest = std::max(longest, distance(state));
   });
   EXPECT_LT(longest, 1.6);
+}
+
+/// The vibration along the spring fades, the turn about the origin stays: angular momentum to rounding, energy never more than before, and
+/// in the end that of the turn on the circle with this angular momentum.
+TEST(SpringPendulum, LosesItsVibrationButNotItsAngularMomentum)
+{
+  const SpringPendulumParameters p        = thrown();
+  const double                   at_start = p.mass * 1.5 * 20;
+  double                         last = p.mass * (9 + 400) / 2, r = 1.6;
+  go<SpringPendulum>(p, "dissipative energy momentum", {"spectral radius at infinity=0.5"}, 5e-3, 4000,
+                     [&](const SpringPendulum &system, const State &state) {
+                       const double energy = system.energetics(state, Side::left).energy;
+                       EXPECT_LE(energy, last * (1 + 1e-12)) << state.t;
+                       EXPECT_NEAR(angular_momentum(p, state), at_start, 1e-10 * at_start) << state.t;
+                       last = energy;
+                       r    = distance(state);
+                     });
+  const double tension = p.stiffness * (r - p.length); // of the circle: m v^2/r with m r v the angular momentum
+  EXPECT_NEAR(tension, at_start * at_start / (p.mass * r * r * r), 2e-2 * tension);
+  EXPECT_NEAR(last, at_start * at_start / (2 * p.mass * r * r), 0.5);
 }
 
 /// With a stiff spring its period under gravity is that of the rigid pendulum, 4 K(sin(angle/2)) sqrt(L/g), by the arithmetic-geometric

@@ -29,27 +29,4 @@ namespace myolines
     const Vector           &x_;
     std::unique_ptr<Vector> copy_;
   };
-
-  /// (u_0 + u_1)/2 of a step, ghosts included, or u_1 itself where there is no u_0.
-  class MiddleOfStep
-  {
-  public:
-    /// @p u_0 may be nullptr. The vectors outlive the object. Collective.
-    MiddleOfStep(const Vector &u_1, const Vector *u_0)
-      : end_(u_1)
-    {
-      if (u_0 == nullptr)
-        return;
-      middle_ = std::make_unique<Vector>(u_1);
-      middle_->zero_out_ghost_values();
-      middle_->sadd(0.5, 0.5, *u_0);
-      middle_->update_ghost_values();
-    }
-
-    const Vector &vector() const { return middle_ ? *middle_ : end_; } ///< The middle, or the end where there is no beginning.
-
-  private:
-    const Vector           &end_;
-    std::unique_ptr<Vector> middle_;
-  };
 } // namespace myolines

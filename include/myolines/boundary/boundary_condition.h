@@ -87,6 +87,14 @@ namespace myolines
                   ///< it; else zero
   };
 
+  /// How the body moves at such a point in a step: velocities are those of the step.
+  struct FaceStep
+  {
+    FaceMotion begin;  ///< at its beginning
+    FaceMotion end;    ///< at its end
+    FaceMotion middle; ///< mean displacement; the area is the mean over the straight way, whose work is that of a pressure along it
+  };
+
   /// Derivatives of a force f at a point: df = -(by_u du + by_v dv + by_area d(area)).
   struct ForceTangent
   {
@@ -144,11 +152,28 @@ namespace myolines
     virtual Vector3      force(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return {}; }
     virtual ForceTangent tangent(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return {}; } ///< derivatives of force()
 
+    /// Force of a step [N] whose work is the change of energy(), at loads of the instant @p t.
+    virtual Vector3 force_of_step(double t, Side side, const FacePoint &point, const FaceStep &x) const
+    {
+      return force(t, side, point, x.middle);
+    }
+    /// Its derivatives by the displacement at the end, the velocity and the mean area.
+    virtual ForceTangent tangent_of_step(double t, Side side, const FacePoint &point, const FaceStep &x) const
+    {
+      ForceTangent k = tangent(t, side, point, x.middle);
+      k.by_u *= 0.5;
+      return k;
+    }
+
     /// Energy stored by force() [J].
     virtual double energy(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return 0; }
     /// Power that force() brings into body and springs from outside [W]; with the other two, d(energy)/dt = power - dissipation - force.v.
     virtual double power(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return 0; }
     virtual double dissipation(double /*t*/, Side, const FacePoint &, const FaceMotion &) const { return 0; } ///< >= 0 [W]
+
+    /// Pressure of force() on the deformed area, if it is one number at all times and places [Pa]: the force has then the energy pressure
+    /// times volume wherever nothing moves the edge of the face, or it has none.
+    virtual std::optional<double> constant_pressure() const { return std::nullopt; }
 
     /// Directions in which springs hold a point with this normal: rigid motions across them are free.
     virtual std::vector<Vector3> held_directions(const Vector3 & /*normal*/) const { return {}; }

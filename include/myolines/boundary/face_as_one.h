@@ -18,6 +18,8 @@ namespace myolines
     std::vector<Tie>     ties(const NodeSpace &) const override;
     Vector3              force(double t, Side side, const FacePoint &point, const FaceMotion &x) const override;
     ForceTangent         tangent(double t, Side side, const FacePoint &point, const FaceMotion &x) const override;
+    Vector3              force_of_step(double t, Side side, const FacePoint &point, const FaceStep &x) const override;
+    ForceTangent         tangent_of_step(double t, Side side, const FacePoint &point, const FaceStep &x) const override;
     double               energy(double t, Side side, const FacePoint &point, const FaceMotion &x) const override;
     std::vector<Vector3> held_directions(const Vector3 &) const override;
 
@@ -32,6 +34,8 @@ namespace myolines
   private:
     /// s: where the face would stand without a force of the spring [m].
     virtual double slack(double t, Side side) const = 0;
+
+    TendonSpring::Secant secant(double t, Side side, const FaceStep &x) const;
 
     const Vector3                             direction_;
     const bool                                held_across_;

@@ -17,6 +17,14 @@ namespace myolines
     virtual double slope(double s) const  = 0;        ///< [N/m]
     virtual double energy(double s) const = 0;        ///< integral of the force from 0 [J]
     virtual double slack_length() const { return 0; } ///< [m], 0: the law knows none
+
+    /// The force of a step from s0 to s1, whose work is the change of energy.
+    struct Secant
+    {
+      double force; ///< (energy(s1) - energy(s0))/(s1 - s0) [N]
+      double slope; ///< its derivative by s1 [N/m]
+    };
+    virtual Secant secant(double s0, double s1) const = 0; ///< Between two elongations [m], also equal ones.
   };
 
   /// k s, of both signs.

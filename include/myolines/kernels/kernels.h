@@ -23,6 +23,15 @@ namespace myolines
     const double *modes;       ///< [n_points_1d^3][n_modes]
   };
 
+  /// What the tangent takes of a change of the rate of stretch lam-dot = G : Fdot, on which active stress depends,
+  /// d(lam-dot) = by_velocity G : dFdot + by_gradient (L : Fdot) : dF + by_stretch (lam-dot/lam) G : dF. That of the defaults is exact.
+  struct RateTangent
+  {
+    double by_velocity = 1; ///< of the change of the rate
+    double by_gradient = 1; ///< of G at a fixed rate
+    double by_stretch  = 0; ///< in its place, by thesis (5.7.14) and (5.7.15)
+  };
+
   /// The physics of all batches at one instant.
   struct KernelModel
   {
@@ -38,6 +47,8 @@ namespace myolines
     VolumeForm          volume_form;   ///< what Psi_vol is
     curves::FibreCurves curves;        ///< of the user, where there are any; borrowed
     const double       *before;        ///< local array of displacements, as u: forces are those of the step from there to u; or nullptr
+    RateTangent         rate_tangent;  ///< of the force-velocity relation
+    double              dissipation;   ///< of such a step, see Point::dissipation
 
     bool velocities() const { return rate || viscous; } ///< whether stresses depend on them
   };

@@ -72,6 +72,7 @@ namespace myolines
     T                    square; ///< 1/|a|^2
     T                    lam;    ///< isochoric stretch
     T                    N[9];   ///< dlam/dF / lam
+    T                    speed;  ///< N : F_rate, or 0
     FibreStress<T>       fibre;  ///< sigma_f/lam and its derivatives
     IsotropicResponse<T> base;   ///< derivatives of the Yeoh energy
     T                    p;      ///< p_h
@@ -106,7 +107,8 @@ namespace myolines
           N[3 * i + j] = a[i] * a0[j] * square - T(1. / 3.) * k.H[3 * i + j];
 
       const T slowness = material[material_slowness];
-      fibre            = fibre_stress(material, terms, lam, m.rate ? lam * dot(N, F_rate) * slowness : T(0.));
+      speed            = m.rate ? dot(N, F_rate) : T(0.);
+      fibre            = fibre_stress(material, terms, lam, m.rate ? lam * speed * slowness : T(0.));
       fibre.g_strain_rate *= slowness; // per unit of lam-dot from here on
     }
 
@@ -147,12 +149,14 @@ namespace myolines
       tangent[tangent_stretch] = fibre.g_stretch * lam * lam * weight;
       if (!model.rate)
         return;
-      const T per_rate   = fibre.g_strain_rate * lam * weight;
-      tangent[tangent_C] = per_rate * lam;
+      const RateTangent &of       = model.rate_tangent;
+      const T            per_rate = fibre.g_strain_rate * lam * weight;
+      tangent[tangent_C]          = T(of.by_velocity) * per_rate * lam;
+      tangent[tangent_stretch] += T(of.by_stretch) * per_rate * lam * speed;
       T LF[9];
       curvature(F_rate, LF);
       for (int i = 0; i < 9; ++i)
-        tangent[tangent_rate + i] = per_rate * LF[i];
+        tangent[tangent_rate + i] = T(of.by_gradient) * per_rate * LF[i];
     }
 
     /// The tangent without its volumetric rank (dp) as 81 coefficients in unit-cell directions, times @p weight:
@@ -180,8 +184,9 @@ namespace myolines
       T       nl(0.); // factor of N (x) L:F_rate
       if (model.rate)
         {
-          nn += T(w_v) * weight * fibre.g_strain_rate * lam * lam;
-          nl = fibre.g_strain_rate * lam * wu * T(model.exact_tangent ? 1. : 0.5);
+          const RateTangent &of = model.rate_tangent;
+          nn += (T(of.by_velocity * w_v) * weight + T(of.by_stretch) * wu * speed) * fibre.g_strain_rate * lam * lam;
+          nl = fibre.g_strain_rate * lam * wu * T(model.exact_tangent ? of.by_gradient : 0.5);
         }
       const T hh = pJ - T(4. / 9.) * psi1 * I1, hq = T(-2. / 3.) * psi1, cross = T(2. / 3.) * psi1 * I1 + T(1. / 3.) * g - pJ;
       T       right[3][9]; // partners of h, q and n

@@ -49,6 +49,7 @@ namespace myolines
     void                                linearise(const Point &point, Linearisation &linearisation) const override;
     std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string &split) const override;
     Energetics                          energetics(const State &state, Side side) const override;
+    std::vector<Vector>                 rigid_motions(const Vector &w) const override;
     std::vector<double>                 events(double t0, double t1) const override;
     std::vector<unsigned int>           canonical_order() const override;
 

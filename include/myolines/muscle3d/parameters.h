@@ -5,6 +5,7 @@
 #include <myolines/body/initial_motion.h>
 #include <myolines/boundary/boundary.h>
 #include <myolines/boundary/line_of_action.h>
+#include <myolines/kernels/kernels.h>
 #include <myolines/materials/curve_set.h>
 #include <myolines/materials/tissue.h>
 #include <myolines/materials/volume_energy.h>
@@ -40,8 +41,9 @@ namespace myolines
   {
     bool                                      dynamic       = true; ///< with inertia and rates; false: quasi-static
     bool                                      exact_tangent = true; ///< false: its symmetric part, where force-velocity makes another
-    unsigned int                              degree        = 2;    ///< of the displacement, 1..3
-    unsigned int                              n_points      = 4;    ///< Gauss points per direction, 2..6
+    RateTangent                               rate_tangent;         ///< of the force-velocity relation
+    unsigned int                              degree   = 2;         ///< of the displacement, 1..3
+    unsigned int                              n_points = 4;         ///< Gauss points per direction, 2..6
     Geometry                                  geometry;             ///< the reference body
     TissueNames                               tissue_names = printed_tissues(); ///< of all that there could be
     std::map<unsigned int, TissueParameters>  tissues{{muscle_id, {}}};         ///< of the cells, by material id; the muscle in any case

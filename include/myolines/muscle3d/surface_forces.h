@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <set>
 #include <vector>
 
 namespace myolines
@@ -24,14 +25,15 @@ namespace myolines
     bool any_loads() const { return has_[loading]; } ///< that do not: dead loads
     bool rates() const { return rates_; }            ///< whether forces depend on the velocity
 
-    /// r -= forces that depend on the motion. @p point: its vectors have current ghosts, v where rates(). Not compressed.
+    /// r -= forces that depend on the motion, or those of the step from Point::before. @p point: its vectors have current ghosts, v where
+    /// rates(). Not compressed.
     /// The size of the forces [N], over all ranks.
     double subtract(const Point &point, Vector &r) const;
 
     /// f += dead loads. Not compressed.
     void add_loads(double t, Side side, Vector &f) const;
 
-    /// -dF/du and -dF/dv of one face of a cell: rows and columns are 3 i + c, i counts the nodes of the face.
+    /// -dF/du (of a step: by the end) and -dF/dv of one face of a cell: rows and columns are 3 i + c, i counts the nodes of the face.
     struct Tangent
     {
       NodeSpace::Cell                  cell;      ///< that has the face
@@ -53,6 +55,10 @@ namespace myolines
     /// Collective. @p of: of one condition alone.
     Work work(const Point &point, const BoundaryCondition *of = nullptr) const;
 
+    /// Whether the force of @p condition, one that follows the face, has an energy: a constant pressure on a face that is closed or whose
+    /// edge cannot move. Then Work has that, else its power.
+    bool has_potential(const BoundaryCondition &condition) const { return potentials_.count(&condition) > 0; }
+
     /// Power of all forces of @p condition on the body, dead loads included, over all ranks [W].
     double power_on_body(const Point &point, const BoundaryCondition &condition) const;
 
@@ -73,9 +79,15 @@ namespace myolines
 
     void add_face(const NodeSpace::Cell &cell, unsigned int face, const BoundaryCondition &condition);
     void find_areas(const BoundaryConditions &conditions);
+    void find_potentials(const Muscle3dParameters &parameters);
+    bool edge_is_held(const BoundaryCondition &condition) const;
     /// @p velocity: wanted by more than the force.
     FaceMotion motion(const Face &face, std::size_t q, const Point &point, bool velocity = false) const;
-    void       add_tangent(const Face &face, std::size_t q, const Point &point, Tangent &tangent) const;
+    FaceStep   step(const Face &face, std::size_t q, const Point &point) const;
+    /// Of a point, or of a step, to which the dissipation belongs that Point::dissipation asks of supports.
+    Vector3      force(const Face &face, std::size_t q, const Point &point) const;
+    ForceTangent tangent(const Face &face, std::size_t q, const Point &point) const;
+    void         add_tangent(const Face &face, std::size_t q, const Point &point, Tangent &tangent) const;
     /// Tangents of the deformed face.
     std::array<Vector3, 2> edges(const Face &face, std::size_t q, const Vector &u) const;
     /// visit(face, point number) for points of owned cells where a condition of the @p kind acts.
@@ -84,11 +96,12 @@ namespace myolines
 
     static constexpr int loading = 0, pushing = 1;
 
-    const Muscle3dDiscretisation &d_;
-    int                           n1_; ///< nodes in one direction
-    std::array<bool, 2>           has_{};
-    bool                          rates_ = false;
-    std::vector<Face>             faces_;
+    const Muscle3dDiscretisation       &d_;
+    int                                 n1_; ///< nodes in one direction
+    std::array<bool, 2>                 has_{};
+    bool                                rates_ = false;
+    std::vector<Face>                   faces_;
+    std::set<const BoundaryCondition *> potentials_; ///< see has_potential()
     // Of the nodes of a face at the points of its rule: [points][nodes].
     std::vector<std::vector<double>> value_, d1_, d2_;
     std::vector<double>              weights_; ///< of the rule

@@ -44,6 +44,7 @@ namespace myolines
     std::unique_ptr<Linearisation> make_linearisation() const override;
     void                           linearise(const Point &point, Linearisation &linearisation) const override;
     Energetics                     energetics(const State &state, Side side) const override;
+    std::vector<Vector>            rigid_motions(const Vector &w) const override;
     std::vector<double>            events(double, double) const override { return {}; }
     std::vector<std::string>       names() const override { return {"x", "y"}; }
 

@@ -47,6 +47,8 @@ namespace myolines
     /// Displacement at the beginning of a step that ends at u, or none. Of systems with Capabilities::two_states: forces are then those of
     /// the step, which are not those of any state between (SemiDiscreteSystem::residual); t, v and a are means of the step.
     const Vector *before = nullptr;
+    /// chi >= 0: forces of such a step take energy, by chi/2 times the difference of those at both ends (SemiDiscreteSystem::residual).
+    double dissipation = 0;
   };
 
   /// J = w.u dR/du + w.v dR/dv + w.a dR/da; any weight may be zero.

@@ -66,6 +66,9 @@ namespace myolines
     /// discrete gradient (Gonzalez, doi:10.1007/BF02440162): F (u1 - u0) = W(u1) - W(u0), with the moments of a force, and the gradient
     /// at (u0 + u1)/2 but for terms of second order in u1 - u0. What has no energy is taken in the middle, at the rates Point::v.
     /// linearise() gives its derivatives by u1, v and a.
+    ///
+    /// With a dissipation chi (Point::dissipation) forces f of what stores energy have chi/2 (f(u1) - f(u0)) added, in a form that keeps
+    /// the moments and whose work is not negative: F (u1 - u0) >= W(u1) - W(u0).
     virtual Evaluation residual(const Point &point, Vector &r) const = 0;
 
     /// A system may eliminate unknowns z of single cells, with R(u) = R(u, z(u)). Newton's method converges better if z are iterates
@@ -96,6 +99,10 @@ namespace myolines
     /// R_I of a split of capabilities(): a system with the same unknowns, constraints, prescribed motion, mass and events.
     /// F_E = R - R_I. This system outlives it. nullptr for other names.
     virtual std::unique_ptr<SemiDiscreteSystem> implicit_part(const std::string & /*split*/) const { return nullptr; }
+
+    /// How forces that push and turn the system as a whole change a velocity @p w: the fields e, and e x w, for every direction e along or
+    /// about which the system may move as a whole. Constraints play no part. Empty: it cannot.
+    virtual std::vector<Vector> rigid_motions(const Vector & /*w*/) const { return {}; }
 
     /// Kinks of the drives in the open interval (t0, t1), ascending.
     virtual std::vector<double> events(double t0, double t1) const = 0;

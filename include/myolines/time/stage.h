@@ -33,7 +33,20 @@ namespace myolines
     };
     const Average *average = nullptr; ///< none: at the end of the stage
 
-    const Vector *before = nullptr; ///< Point::before, of systems that are not linear; or none
+    const Vector *before      = nullptr; ///< Point::before, of systems that are not linear; or none
+    double        dissipation = 0;       ///< Point::dissipation
+
+    /// What velocities at the end have beyond the affine map.
+    class Beyond
+    {
+    public:
+      virtual ~Beyond() = default;
+      /// @p b: of the displacements @p u at the end. Not of constrained unknowns.
+      virtual void evaluate(const Vector &u, Vector &b) = 0;
+    };
+    /// v += b and a += b times this rate, v not where the residual is evaluated. Newton's method knows nothing of its derivatives. Or none.
+    Beyond *beyond      = nullptr;
+    double  beyond_rate = 0; ///< [1/s]
 
     /// First guess of the velocities, or none: those of the guess of d. Where the system has local unknowns (SemiDiscreteSystem::local())
     /// Newton's method starts at the d that belongs to them, and only if it fails at the guess of d. Elsewhere, and then, it starts at
@@ -87,6 +100,9 @@ namespace myolines
 
     /// Linearises the system at @p point, where its residual is admissible; a linear one only the first time.
     void linearise(const Point &point);
+
+    /// The same where nothing but the mass is asked for: only the first time if that is constant.
+    void linearise_mass(const Point &point);
 
   private:
     class LinearProblem;
