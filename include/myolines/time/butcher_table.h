@@ -45,7 +45,7 @@ namespace myolines
 
     /// R(z) = numerator/denominator of u' = lambda u, z = lambda dt: the factor of one step. Coefficients of 1, z, z^2, ...
     std::vector<double> numerator;
-    std::vector<double> denominator;                ///< likewise
+    std::vector<double> denominator;              ///< likewise
     double              at_infinity      = 0;     ///< |R(z)| as z -> -infinity; may be infinity
     bool                stiffly_accurate = false; ///< ButcherTable::is_stiffly_accurate
     bool                a_stable         = false; ///< |R(i y)| <= 1, looked at for y from 1e-4 to 1e6
