@@ -41,6 +41,13 @@ namespace myolines
       }
     if (stage.c.u != 0)
       resolution_ = 16 * std::numeric_limits<double>::epsilon() * predictor.u.linfty_norm() / std::abs(stage.c.u);
+    if (predicts() && work_.capabilities.rates) // from rest the first guesses are one: nothing would be gained by beginning with it twice
+      {
+        Vector change(d);
+        predict(change);
+        change -= d;
+        bold_ = change.linfty_norm() > resolution_;
+      }
   }
 
   void StageProblem::predict(Vector &d) const

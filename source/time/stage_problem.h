@@ -67,7 +67,7 @@ namespace myolines
   class StageProblem : public NonlinearProblem
   {
   public:
-    /// @p bold: takes what promises few iterations, and may fail for it.
+    /// @p bold: takes what promises few iterations, and may fail for it; so not if it begins as if not bold.
     StageProblem(StageWork &work, const Stage &stage, State &predictor, const Vector &d, bool bold);
 
     /// Whether the velocities of the stage tell a first guess of d. Extrapolated displacements violate the volume constraint of nearly
@@ -129,7 +129,7 @@ namespace myolines
     StageWork   &work_;
     const Stage &stage_;
     State       &predictor_;
-    const bool   bold_;
+    bool         bold_;
     Vector State::*by_; ///< the quantity whose prescribed value determines d
     double         c_by_;
     WeightsByOrder weights_;
