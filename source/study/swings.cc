@@ -8,15 +8,22 @@ namespace myolines::study
 {
   namespace
   {
+    /// Equal neighbours, as on both sides of a peak, go on in the direction before.
     Series turning_points(const Series &series)
     {
       Series turns;
-      for (std::size_t i = 1; i + 1 < series.x.size(); ++i)
-        if ((series.x[i] - series.x[i - 1]) * (series.x[i + 1] - series.x[i]) < 0)
-          {
-            turns.t.push_back(series.t[i]);
-            turns.x.push_back(series.x[i]);
-          }
+      double before = 0;
+      for (std::size_t i = 1; i < series.x.size(); ++i)
+        {
+          const double change = series.x[i] - series.x[i - 1];
+          if (change * before < 0)
+            {
+              turns.t.push_back(series.t[i - 1]);
+              turns.x.push_back(series.x[i - 1]);
+            }
+          if (change != 0)
+            before = change;
+        }
       return turns;
     }
 
