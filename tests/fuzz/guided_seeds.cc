@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Meshes of two cubes in the versions of Gmsh's format, of which no program at hand writes the older and the binary ones: guided_seeds FOLDER.
+// Meshes of two cubes in the versions of Gmsh's format, of which no program at hand writes the older and the binary ones: guided_seeds
+// FOLDER.
 
 #include "../meshes/gmsh_texts.h"
 
