@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/base/error.h>
+#include <myolines/base/escape.h>
 #include <myolines/base/lanes.h>
 #include <myolines/base/named_instruction_set.h>
 #include <myolines/base/names.h>
@@ -76,6 +77,14 @@ namespace myolines
           const double s = x[lane];
           EXPECT_DOUBLE_EQ(z[lane], s < 0 ? std::sin(s) * 2 - std::cbrt(2.) : std::cos(s) / 2 + std::sqrt(2.));
         }
+    }
+
+    TEST(Escaped, IsTextAndNoMarkup)
+    {
+      EXPECT_EQ(escaped("a < b && \"c\" > 'd'"), "a &lt; b &amp;&amp; &quot;c&quot; &gt; &#39;d&#39;");
+      EXPECT_EQ(escaped("\u00b5m\n\t"), "\u00b5m\n\t");
+      EXPECT_EQ(escaped("\xC3("), "\uFFFD(") << "the first byte of two";
+      EXPECT_EQ(escaped(std::string("\0\x1b", 2)), "\uFFFD\uFFFD") << "XML has no way to write these";
     }
 
     TEST(InstructionSets, AreNamedIfTheProcessorHasThem)

@@ -4,6 +4,7 @@
 #include <myolines/base/checksum.h>
 #include <myolines/base/error.h>
 #include <myolines/base/files.h>
+#include <myolines/base/scratch_folder.h>
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,19 @@ namespace myolines
           return error.error_number();
         }
       return 0;
+    }
+
+    TEST(ScratchFolder, IsItsOwnAndGoes)
+    {
+      std::filesystem::path first;
+      {
+        const ScratchFolder one, other;
+        first = one.path();
+        EXPECT_NE(first, other.path());
+        EXPECT_EQ(std::filesystem::status(first).permissions(), std::filesystem::perms::owner_all);
+        write_file(first / "file", "text");
+      }
+      EXPECT_FALSE(std::filesystem::exists(first));
     }
 
     TEST(File, WritesReadsAndTellsWhy)

@@ -121,6 +121,16 @@ namespace myolines
             bytes.add<std::int32_t>(static_cast<std::int32_t>(x));
           else if (type == "Int64")
             bytes.add<std::int64_t>(static_cast<std::int64_t>(x));
+          else if (type == "Int16")
+            bytes.add<std::int16_t>(static_cast<std::int16_t>(x));
+          else if (type == "Int8")
+            bytes.add<std::int8_t>(static_cast<std::int8_t>(x));
+          else if (type == "UInt64")
+            bytes.add<std::uint64_t>(static_cast<std::uint64_t>(x));
+          else if (type == "UInt32")
+            bytes.add<std::uint32_t>(static_cast<std::uint32_t>(x));
+          else if (type == "UInt16")
+            bytes.add<std::uint16_t>(static_cast<std::uint16_t>(x));
           else
             bytes.add<std::uint8_t>(static_cast<std::uint8_t>(x));
         const bool letters = coding_ != Coding::appended_raw && coding_ != Coding::appended_compressed;
@@ -156,7 +166,9 @@ namespace myolines
       return all;
     }
 
-    std::string two_cubes(const Coding coding, const bool swapped = false, const bool long_heads = false)
+    /// Groups and ends of cells being numbers of the type @p integers.
+    std::string two_cubes(const Coding coding, const bool swapped = false, const bool long_heads = false,
+                          const std::string &integers = "Int32")
     {
       Vtu                 vtu(coding, swapped, long_heads);
       std::vector<double> connectivity, offsets, fibre;
@@ -168,9 +180,9 @@ namespace myolines
         }
       return vtu.file("<Piece NumberOfPoints=\"12\" NumberOfCells=\"5\">\n<PointData>\n" +
                       vtu.array("Float32", "height", std::vector<double>(12, 0.25)) + "</PointData>\n<CellData>\n" +
-                      vtu.array("Int32", "gmsh:physical", {groups.begin(), groups.end()}) + vtu.array("Float64", "fibre", fibre, 3) +
+                      vtu.array(integers, "gmsh:physical", {groups.begin(), groups.end()}) + vtu.array("Float64", "fibre", fibre, 3) +
                       "</CellData>\n<Points>\n" + vtu.array("Float64", "Points", coordinates(), 3) + "</Points>\n<Cells>\n" +
-                      vtu.array("Int64", "connectivity", connectivity) + vtu.array("Int32", "offsets", offsets) +
+                      vtu.array("Int64", "connectivity", connectivity) + vtu.array(integers, "offsets", offsets) +
                       vtu.array("UInt8", "types", {types.begin(), types.end()}) + "</Cells>\n</Piece>\n");
     }
 
@@ -190,6 +202,14 @@ namespace myolines
               ASSERT_EQ(mesh.point_fields.size(), 1u);
               EXPECT_EQ(mesh.point_fields[0].values, std::vector<double>(12, 0.25));
             }
+    }
+
+    TEST(VtkFiles, IntegersMayHaveAnyWidth)
+    {
+      for (const char *type : {"Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16", "UInt32", "UInt64"})
+        for (const bool swapped : {false, true})
+          EXPECT_EQ(test::difference_from_two_cubes(test::mesh_of(two_cubes(Coding::base64, swapped, false, type))), "") << type << swapped;
+      EXPECT_NE(test::refusal_of(two_cubes(Coding::base64, false, false, "Int128")).find("\"Int128\" are not known"), std::string::npos);
     }
 
     std::string legacy(const bool binary, const bool newer)

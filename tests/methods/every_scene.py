@@ -7,7 +7,7 @@ every_scene.py PROGRAM WORK_FOLDER [--limit 60] [--coarse] [--scene NAME ...] [-
 Each scene of input/ is run with each method for two of its steps. What must come out of it is exit code 0 with a step, or exit code 2 with what, where,
 what was expected, and no output folder. A run that computes for longer than the limit [s] is asked to stop ("runs on", or "no step yet").
 With --coarse, bodies that the program makes itself are not refined: a tenth of the time. Prints a line for each pair and the refusals, each once.
-Exit code 1 if anything else happens but what is KNOWN to fail, with exit code 3.
+Exit code 1 if anything else happens.
 """
 
 import argparse
@@ -19,12 +19,6 @@ import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree as xml
-
-# Scene and method: why the steps of the scene are too much for it.
-KNOWN = {
-    ("active_lengthening.xml", "rosenbrock"): "no step mends the volume that linear ones have spoiled",
-    ("active_lengthening.xml", "arkode"): "Newton's method of ARKODE fails at the jump of the boundary's velocity unless it chooses the step",
-}
 
 INPUT = pathlib.Path(__file__).resolve().parent.parent.parent / "input"
 
@@ -102,8 +96,6 @@ def main():
             print(f"{name:45} {method:28} {result}", flush=True)
             if result == "refused":
                 refusals.setdefault(text.replace(str(scene), "SCENE"), []).append(f"{name}: {method}")
-            elif result == "exit code 3" and (name, method) in KNOWN:
-                print(f"    known: {KNOWN[name, method]}: {text.strip().splitlines()[0]}")
             elif result not in ("runs", "runs on", "no step yet"):
                 wrong.append(f"{name}: {method}: {result}\n{text}")
     for text, pairs in refusals.items():

@@ -39,6 +39,19 @@ namespace
     EXPECT_NE(table.where(1).find("line 4"), std::string::npos);
   }
 
+  /// As the program reads what it, or one that was killed, has written.
+  TEST_F(CsvInput, OfTheProgramMayEndInTheMiddleOfALine)
+  {
+    std::ofstream(file_) << "a,b\n1,2\n3,";
+    const auto table = read_csv(file_);
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->numbers(0), (std::vector<double>{1}));
+    std::ofstream(file_) << "a,b\n1,2\n3\n";
+    EXPECT_FALSE(read_csv(file_)) << "a whole line that has too few fields";
+    EXPECT_FALSE(read_csv(test::temporary("no table")));
+    EXPECT_FALSE(read_csv(file_.parent_path())) << "a folder is no table";
+  }
+
   TEST_F(CsvInput, ReadsWordsBesideNumbers)
   {
     const CsvTable table = read("a,name\n1,x\n2,y\n");

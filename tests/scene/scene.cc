@@ -68,6 +68,37 @@ namespace
   }
 } // namespace
 
+TEST(Scene, ATextMayHoldNumbers)
+{
+  const auto numbers = [](const std::string &text) { return read(parameter("title", "string", text)).numbers("title", "times [s]"); };
+  EXPECT_EQ(numbers(" 0.5 -1e-3  2"), (std::vector<double>{0.5, -1e-3, 2}));
+  for (const auto &[text, what] : {std::pair("1 two", "\"two\" is not a finite number"), std::pair("1, 2", "\"1,\" is not a finite number"),
+                                   std::pair("nan", "\"nan\" is not a finite number"), std::pair(" ", "there is no number")})
+    {
+      const auto problems = problems_of([&, text = text] { numbers(text); });
+      ASSERT_EQ(problems.size(), 1u) << text;
+      EXPECT_EQ(problems[0].what, what);
+      EXPECT_EQ(problems[0].where, "test.xml: title");
+      EXPECT_EQ(problems[0].expected, "times [s]");
+    }
+}
+
+TEST(Scene, ListsAndFilesAreFoundInside)
+{
+  const auto folder = test::temporary("scene of files");
+  std::filesystem::create_directories(folder);
+  for (const char *name : {"a.csv", "b.csv", "c.csv"})
+    std::ofstream(folder / name) << "t,u\n0,0\n";
+  const Schema with_file = Schema("One.").file("table", "A table.");
+  const Schema all       = Schema("All.").optional_file("table", "A table.").section("in", with_file).named_sections(with_file);
+  const auto   table     = [](const std::string &name) { return parameter("table", "string", name); };
+  std::ofstream(folder / "scene.xml") << sublist("scene", table("a.csv") + sublist("in", table("b.csv")) + sublist("mine", table("c.csv")));
+  const Node scene = read_scene(folder / "scene.xml", all);
+  EXPECT_EQ(scene.files(), (std::vector<std::filesystem::path>{folder / "a.csv", folder / "b.csv", folder / "c.csv"}));
+  EXPECT_EQ(lists_at(folder / "scene.xml", ""), (std::vector<std::string>{"in", "mine"}));
+  EXPECT_TRUE(lists_at(folder / "scene.xml", "nowhere").empty());
+}
+
 TEST(Scene, ANumberIsATextToo)
 {
   EXPECT_EQ(read(parameter("title", "double", "0.5")).text("title"), "0.5");

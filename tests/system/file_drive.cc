@@ -162,7 +162,29 @@ namespace
         linear, make_drive(scene::list_of_defaults(drive_schema("excitation", "-"), "test", {"type=control points", "points=0 0; 1 1"}),
                            excitation_));
     for (const double t : {0.01, 0.1, 0.5})
-      EXPECT_NEAR(activation.value(t, Side::left), t + linear.time_constant * std::expm1(-t / linear.time_constant), 1e-10) << t;
+      {
+        const double decay = std::exp(-t / linear.time_constant);
+        EXPECT_NEAR(activation.value(t, Side::left), t + linear.time_constant * std::expm1(-t / linear.time_constant), 1e-10) << t;
+        EXPECT_NEAR(activation.first_derivative(t, Side::left), 1 - decay, 1e-8) << t;
+        EXPECT_NEAR(activation.second_derivative(t, Side::left), decay / linear.time_constant, 1e-6) << t;
+      }
+    EXPECT_EQ(activation.second_derivative(0, Side::left), 0) << "before the start it is steady";
+    EXPECT_NEAR(activation.second_derivative(0, Side::right), 1 / linear.time_constant, 1e-9);
+  }
+
+  /// Of the equation that is not linear, by differences.
+  TEST_F(FileDriveTest, ActivationHasItsSecondDerivative)
+  {
+    const ZajacActivation activation(Zajac(), make_drive(scene::list_of_defaults(drive_schema("excitation", "-"), "test",
+                                                                                 {"type=control points", "points=0 0.1; 1 0.9"}),
+                                                         excitation_));
+    const double          h = 1e-5;
+    for (const double t : {0.02, 0.1, 0.5, 0.9})
+      {
+        const double difference =
+            (activation.first_derivative(t + h, Side::left) - activation.first_derivative(t - h, Side::left)) / (2 * h);
+        EXPECT_NEAR(activation.second_derivative(t, Side::left), difference, 1e-5 * std::abs(difference) + 1e-5) << t;
+      }
   }
 
   /// A ramp of the excitation from the start on, whenever that is; an excitation of samples is followed from the first of them.
