@@ -4,7 +4,7 @@
 
 Runs the study, one case at a time, and prints its quantities: a row for every point of the axes of --rows, a column for every point of those of --columns
 and every quantity, or with --together all quantities in one. Cases at the same points of both stand side by side in one cell. Quantities
-are those of study.csv and seconds.csv; "fails" stands where a run did. --initials prints words as their first letters. --equal-error WORKS prints instead what these cost at the target of a
+are those of study.csv and seconds.csv; "fails" stands where a run did. Of values below --rounding in size no digit means anything: "0" stands there. --initials prints words as their first letters. --equal-error WORKS prints instead what these cost at the target of a
 work-precision study, as equal_error.csv has it.
 $MYOLINES_RESULTS, if set, is where the study's folder is kept: called again with it, nothing is run again.
 """
@@ -38,11 +38,13 @@ def run_study(program, study, results, *settings):
     return [dict(row, **seconds.get(row["case"], {})) for row in rows("study.csv")], rows("equal_error.csv")
 
 
-def written(text, name, digits):
-    """A value as it is printed: counts whole, all else with so many digits."""
+def written(text, name, digits, rounding=0):
+    """A value as it is printed: counts whole, all else with so many digits, and nothing of what is rounding."""
     if text == "":
         return ""
     value = float(text)
+    if abs(value) < rounding:
+        return "0"
     if name.endswith(SECONDS):
         return f"{float(f'{value:.{digits}g}'):g}"
     if value == int(value) and "." not in text and "e" not in text:
@@ -71,7 +73,7 @@ def entry(rows, names, given):
         if row["status"] != "done":
             parts.append("fails" if row["status"] == "failed" else row["status"])
         else:
-            parts.append(", ".join(written(row[name], name, given.digits) for name in names))
+            parts.append(", ".join(written(row[name], name, given.digits, given.rounding) for name in names))
     return " / ".join(parts)
 
 
@@ -138,6 +140,7 @@ def main():
     arguments.add_argument("--only", nargs="+", default=[], metavar="AXIS=POINT|POINT")
     arguments.add_argument("--initials", action="store_true")
     arguments.add_argument("--digits", type=int, default=2)
+    arguments.add_argument("--rounding", type=float, default=0, metavar="SIZE")
     arguments.add_argument("--equal-error", nargs="+", default=[], metavar="WORK")
     given = arguments.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
