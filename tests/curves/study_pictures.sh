@@ -29,7 +29,12 @@ study chapter4_block isotropic_ramp__close_up.svg kinks_bar_isotropic passive_ra
   active_sine_strains.png figure_4.5_active \
   isotropic_ramp_strain_rates__0.58_to_0.65_s.png figure_4.6_isotropic active_ramp_strain_rates__0.58_to_0.65_s.png figure_4.6_active \
   isotropic_sine_strain_rates__0_to_0.25_s.png figure_4.7_isotropic active_sine_strain_rates__0_to_0.25_s.png figure_4.7_active \
+  isotropic_ramp__implicit-explicit_scheme_of_the_thesis.png figure_4.8_isotropic \
+  passive_ramp__implicit-explicit_scheme_of_the_thesis.png figure_4.8_passive \
   active_sine_strain_rates_sundials__0_to_0.25_s.png figure_4.9_active
+study chapter4_pennate active_smooth_strain_rates.png figure_4.3_pennate active_ramp_strains.png figure_4.4_pennate \
+  active_sine_strains.png figure_4.5_pennate active_ramp_strain_rates__0.58_to_0.65_s.png figure_4.6_pennate \
+  active_sine_strain_rates__0_to_0.25_s.png figure_4.7_pennate passive_ramp__implicit-explicit_scheme_of_the_thesis.png figure_4.8_pennate
 study stability_stress map_0.05.svg stability_0.05 map_0.01.svg stability_0.01 map_0.001.svg stability_0.001
 study stability_short map_1e_4.svg stability_short_1e-4 map_1e_5.svg stability_short_1e-5
 study convergence_time_all error_in_V_over_step.svg orders_in_time
