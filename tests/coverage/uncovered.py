@@ -24,7 +24,7 @@ def counted(source, build):
     filters = [word for folder in FOLDERS for word in ("--filter", f"{source}/{folder}/")]
     command = ["gcovr", "--root", source, "--object-directory", build, *filters, "--json", "--gcov-ignore-parse-errors", "--exclude-throw-branches",
                "-j", "1", build]
-    return json.loads(subprocess.run([str(word) for word in command], capture_output=True, text=True, check=True).stdout)["files"]
+    return json.loads(subprocess.run([str(word) for word in command], capture_output=True, text=True, check=True, cwd=build).stdout)["files"]
 
 
 def room_of(file):

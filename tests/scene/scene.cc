@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "../support/temporary.h"
 
+#include <myolines/scene/document.h>
 #include <myolines/scene/scene.h>
 
 #include <gtest/gtest.h>
