@@ -173,7 +173,7 @@ namespace myolines
         }
     if (given && along != nullptr && std::abs(std::sqrt(square) - 1) > length_told)
       t.out << "changed: " << t.theirs.where(*along) << " and those of y and z make a vector of length " << std::sqrt(square)
-            << ", which becomes 1 (Flexodeal would compute with fibres that are stretched by it)\n";
+            << ", which becomes 1\n";
     if (!given && !body.table_directions)
       t.out << "assumed: Materials / Muscle x component is not set; the fibres lie along x, as in Flexodeal by default\n";
   }
