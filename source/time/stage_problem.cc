@@ -46,6 +46,8 @@ namespace myolines
         Vector change(d);
         predict(change);
         change -= d;
+        for (const unsigned int row : work_.constrained_rows) // these are given
+          change.local_element(row) = 0;
         bold_ = change.linfty_norm() > resolution_;
       }
   }
