@@ -263,8 +263,9 @@ namespace myolines
                  [&](const State &state) {
                    const Momenta now = measure_momenta(run.system, state);
                    EXPECT_LE(energy(state), last * (1 + 1e-10)) << state.t;
-                   EXPECT_LT((now.momentum - first.momentum).norm(), 1e-10 * first.momentum.norm()) << state.t;
-                   EXPECT_LT((now.angular_momentum - first.angular_momentum).norm(), 1e-10 * first.angular_momentum.norm()) << state.t;
+                   // residuals of 2e-10 N at levers of some centimetres
+                   EXPECT_LT((now.momentum - first.momentum).norm(), 1e-9 * first.momentum.norm()) << state.t;
+                   EXPECT_LT((now.angular_momentum - first.angular_momentum).norm(), 1e-9 * first.angular_momentum.norm()) << state.t;
                    last = energy(state);
                  },
                  {std::string("spectral radius at infinity=") + radius});

@@ -233,8 +233,8 @@ TEST(SpringPendulum, KeepsEnergyAndAngularMomentumInLongSteps)
   EXPECT_LT(longest, 1.6);
 }
 
-/// The vibration along the spring fades, the turn about the origin stays: angular momentum to rounding, energy never more than before, and
-/// in the end that of the turn on the circle with this angular momentum.
+/// The vibration along the spring fades, the turn about the origin stays: angular momentum to what the solves leave, energy never more than
+/// before, and in the end that of the turn on the circle with this angular momentum.
 TEST(SpringPendulum, LosesItsVibrationButNotItsAngularMomentum)
 {
   const SpringPendulumParameters p        = thrown();
@@ -244,7 +244,7 @@ TEST(SpringPendulum, LosesItsVibrationButNotItsAngularMomentum)
                      [&](const SpringPendulum &system, const State &state) {
                        const double energy = system.energetics(state, Side::left).energy;
                        EXPECT_LE(energy, last * (1 + 1e-12)) << state.t;
-                       EXPECT_NEAR(angular_momentum(p, state), at_start, 1e-10 * at_start) << state.t;
+                       EXPECT_NEAR(angular_momentum(p, state), at_start, 1e-9 * at_start) << state.t; // what 4,000 solves leave
                        last = energy;
                        r    = distance(state);
                      });
