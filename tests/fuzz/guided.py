@@ -6,7 +6,7 @@ FUZZ_PROGRAM is that of any build, which makes seeds as fuzz.py does; the files 
 clang and sanitizers:
 
   cmake --preset guided && cmake --build --preset guided
-  python3 tests/fuzz/guided.py build/release/tests/fuzz_program . build/guided /tmp/guided
+  python3 tests/fuzz/guided.py build/release/tests/fuzz_program . build/guided build/guided/found
 
 Each reader gets its seeds and then what libFuzzer makes of them, for so many seconds. What a fault was found with is kept in SCRATCH_FOLDER/faults;
 what reaches new lines is kept in SCRATCH_FOLDER/NAME and taken up again by the next call. The exit code is 1 where there is a fault.
