@@ -254,7 +254,7 @@ namespace myolines
       double           lost = 0;
       for (const char *radius : {"0.8", "0.4"})
         {
-          test::Simulation run(thrown_bar(mu, 100 * mu), {"relative tolerance=1e-11", "absolute tolerance=2e-10"});
+          test::Simulation run(thrown_bar(mu, 100 * mu), {"relative tolerance=1e-11", "absolute tolerance=1e-10"});
           const Momenta    first    = measure_momenta(run.system, run.state);
           const auto       energy   = [&](const State &state) { return run.system.energetics(state, Side::left).energy; };
           const double     at_start = energy(run.state);
@@ -263,9 +263,8 @@ namespace myolines
                  [&](const State &state) {
                    const Momenta now = measure_momenta(run.system, state);
                    EXPECT_LE(energy(state), last * (1 + 1e-10)) << state.t;
-                   // residuals of 2e-10 N at levers of some centimetres
-                   EXPECT_LT((now.momentum - first.momentum).norm(), 1e-9 * first.momentum.norm()) << state.t;
-                   EXPECT_LT((now.angular_momentum - first.angular_momentum).norm(), 1e-9 * first.angular_momentum.norm()) << state.t;
+                   EXPECT_LT((now.momentum - first.momentum).norm(), 1e-10 * first.momentum.norm()) << state.t;
+                   EXPECT_LT((now.angular_momentum - first.angular_momentum).norm(), 1e-10 * first.angular_momentum.norm()) << state.t;
                    last = energy(state);
                  },
                  {std::string("spectral radius at infinity=") + radius});
