@@ -3,6 +3,7 @@
 #include <myolines/muscle3d/discretisation.h>
 #include <myolines/muscle3d/loads.h>
 #include <myolines/muscle3d/muscle3d_system.h>
+#include <myolines/muscle3d/surface_forces.h>
 
 #include <algorithm>
 
@@ -17,6 +18,20 @@ namespace myolines
       for (const BoundaryFacts &condition : facts_of(p.boundary))
         if (const std::string &what = condition.*says; !what.empty())
           text += (text.empty() ? "" : ", ") + condition.name + " (" + face_names(p.geometry)[condition.face] + ") " + what;
+      return text;
+    }
+
+    /// Conditions whose force follows their face, and which of them store an energy.
+    std::string list_followers(const Muscle3dParameters &p, const SurfaceForces &forces)
+    {
+      std::string text;
+      for (const auto &condition : p.boundary)
+        if (const BoundaryFacts &facts = condition->facts(); facts.follows)
+          {
+            const std::string &why = forces.why_no_potential(*condition);
+            text += (text.empty() ? "" : ", ") + facts.name + " (" + face_names(p.geometry)[facts.face] + ") " +
+                    (why.empty() ? "has an energy" : "has no energy, " + why);
+          }
       return text;
     }
 
@@ -68,6 +83,8 @@ namespace myolines
                          ties.empty() ? "no face is a symmetry plane or moves as one"
                                       : ties + "; " + counted(count_relations(*discretisation_), "relation") + " between unknowns"));
     lines.push_back(line("springs at faces", !springs.empty(), springs.empty() ? "no foundation, tendon or stop" : springs));
+    if (const std::string followers = list_followers(p, *surface_forces_); !followers.empty())
+      lines.push_back(line("pressures that follow their face", true, followers));
     lines.push_back(std::string("tangent: ") + (capabilities().symmetric_tangent ? "symmetric" : "exact, not symmetric") +
                     "; kernels: " + name(discretisation_->instruction_set) + ", " + std::to_string(n_lanes) + " cells at once");
     return lines;

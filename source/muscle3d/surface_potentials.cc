@@ -14,21 +14,26 @@ namespace myolines
       return moving[0] || moving[1] || moving[2];
     });
     for (const auto &condition : parameters.boundary)
-      if (condition->constant_pressure())
+      if (condition->facts().follows)
         {
-          const double held = edge_is_held(*condition) && !moves ? 1 : 0;
-          if (dealii::Utilities::MPI::min(held, d_.communicator) == 1)
-            potentials_.insert(condition.get());
+          const Edge here = edge(*condition);
+          const Edge all  = {dealii::Utilities::MPI::max(here.cuts_cells ? 1 : 0, d_.communicator) == 1,
+                             dealii::Utilities::MPI::max(here.moves ? 1 : 0, d_.communicator) == 1};
+          no_potential_[condition.get()] = !condition->constant_pressure() ? "it is no constant pressure"
+                                           : moves                         ? "a condition moves the body"
+                                           : all.cuts_cells                ? "the box of its face cuts cells"
+                                           : all.moves                     ? "the edge of its face is not held"
+                                                                           : "";
         }
   }
 
   /// The work of a pressure p on a face is -p times the volume that the face sweeps, which depends on the way that its edge takes. Edges
   /// that two cells of the face share are inside.
-  bool SurfaceForces::edge_is_held(const BoundaryCondition &condition) const
+  SurfaceForces::Edge SurfaceForces::edge(const BoundaryCondition &condition) const
   {
-    using Edge = std::vector<unsigned int>; // nodes, sorted
-    std::map<Edge, unsigned int> times;
-    std::vector<Edge>            owned;
+    using Line = std::vector<unsigned int>; // nodes, sorted
+    std::map<Line, unsigned int> times;
+    std::vector<Line>            owned;
     for (const Face &face : faces_)
       if (face.condition == &condition)
         {
@@ -36,17 +41,17 @@ namespace myolines
           if (std::none_of(face.points.begin(), face.points.end(), acts))
             continue;
           if (!std::all_of(face.points.begin(), face.points.end(), acts))
-            return false; // the edge cuts the cell
+            return {true, false};
           for (const int side : {0, n1_ - 1})
             for (const int stride : {1, n1_})
               {
-                Edge edge;
+                Line line;
                 for (int i = 0; i < n1_; ++i)
-                  edge.push_back(face.nodes[stride == 1 ? side * n1_ + i : i * n1_ + side]);
-                std::sort(edge.begin(), edge.end());
-                ++times[edge];
+                  line.push_back(face.nodes[stride == 1 ? side * n1_ + i : i * n1_ + side]);
+                std::sort(line.begin(), line.end());
+                ++times[line];
                 if (face.cell->is_locally_owned())
-                  owned.push_back(std::move(edge));
+                  owned.push_back(std::move(line));
               }
         }
     const auto &lines = d_.constraints.lines;
@@ -59,7 +64,7 @@ namespace myolines
         }
       return true;
     };
-    return std::all_of(owned.begin(), owned.end(),
-                       [&](const Edge &edge) { return times[edge] > 1 || std::all_of(edge.begin(), edge.end(), held); });
+    return {false, std::any_of(owned.begin(), owned.end(),
+                               [&](const Line &line) { return times[line] == 1 && !std::all_of(line.begin(), line.end(), held); })};
   }
 } // namespace myolines

@@ -26,7 +26,7 @@ namespace
   bool has(const std::string &text, const std::string &word) { return text.find(word) != std::string::npos; }
 
   const std::string long_run =
-      "run swing.xml --set time/step=2e-4 --set output/checkpoint/every=50 --set output/checkpoint/seconds=0 --out ";
+      "run swing.xml --set time/step=5e-5 --set output/checkpoint/every=200 --set output/checkpoint/seconds=0 --out ";
 
   /// Starts a run that writes to @p out, and forbids its files to become longer than @p bytes once it is under way: what a full disk is to
   /// a program. MPI itself needs longer files at its start.

@@ -334,5 +334,35 @@ namespace myolines
                         test::condition("follower pressure", 4, {"pressure=1e3"})},
                        "200*z*x*(0.06 - x)*y*(0.01 - y)/1e-7", 60);
     }
+
+    /// What `check` says of follower pressures at z- and z+ of a bar that others hold.
+    std::string energies_of_pressures(BoundaryConditions others, std::vector<std::string> above, std::vector<std::string> below)
+    {
+      above.push_back("pressure=2e3");
+      below.push_back("pressure=1e3");
+      others.push_back(test::condition("follower pressure", 5, above, "above"));
+      others.push_back(test::condition("follower pressure", 4, below, "below"));
+      Muscle3dParameters p = thrown_bar(2e4, 2e6);
+      p.boundary           = others;
+      WorkLedger           ledger;
+      const Muscle3dSystem system(p, MPI_COMM_WORLD, ledger);
+      for (const std::string &line : system.plan())
+        if (line.find("pressures that follow") != std::string::npos)
+          return line;
+      return "none";
+    }
+
+    TEST(Held, CheckSaysWhichPressuresHaveAnEnergy)
+    {
+      const BoundaryConditions       sides = {test::held(0), test::held(1), test::held(2), test::held(3)};
+      const std::vector<std::string> ramp  = {"profile/type=ramp", "profile/amplitude=1", "profile/duration=1"};
+      const std::string              on    = "on   pressures that follow their face: ";
+      EXPECT_EQ(energies_of_pressures(sides, {}, ramp), on + "above (z+) has an energy, below (z-) has no energy, it is no constant pressure");
+      EXPECT_EQ(energies_of_pressures({test::held(0), test::held(1)}, {}, {"x from=0.01"}),
+                on + "above (z+) has no energy, the edge of its face is not held, below (z-) has no energy, the box of its face cuts cells");
+      Muscle3dParameters pulled = thrown_bar(2e4, 2e6);
+      EXPECT_EQ(energies_of_pressures(test::slowly_pulled_ends(pulled, 0.1), {}, {}),
+                on + "above (z+) has no energy, a condition moves the body, below (z-) has no energy, a condition moves the body");
+    }
   } // namespace
 } // namespace myolines

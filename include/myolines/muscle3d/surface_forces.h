@@ -6,7 +6,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <set>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace myolines
@@ -55,9 +56,16 @@ namespace myolines
     /// Collective. @p of: of one condition alone.
     Work work(const Point &point, const BoundaryCondition *of = nullptr) const;
 
-    /// Whether the force of @p condition, one that follows the face, has an energy: a constant pressure on a face that is closed or whose
-    /// edge cannot move. Then Work has that, else its power.
-    bool has_potential(const BoundaryCondition &condition) const { return potentials_.count(&condition) > 0; }
+    /// Whether the force of @p condition follows its face and has an energy: a constant pressure on a face that is closed or whose edge
+    /// cannot move. Then Work has that, else its power.
+    bool has_potential(const BoundaryCondition &condition) const
+    {
+      const auto found = no_potential_.find(&condition);
+      return found != no_potential_.end() && found->second.empty();
+    }
+
+    /// Of a condition that follows its face: why it has no energy; empty if it has one.
+    const std::string &why_no_potential(const BoundaryCondition &condition) const { return no_potential_.at(&condition); }
 
     /// Power of all forces of @p condition on the body, dead loads included, over all ranks [W].
     double power_on_body(const Point &point, const BoundaryCondition &condition) const;
@@ -80,7 +88,12 @@ namespace myolines
     void add_face(const NodeSpace::Cell &cell, unsigned int face, const BoundaryCondition &condition);
     void find_areas(const BoundaryConditions &conditions);
     void find_potentials(const Muscle3dParameters &parameters);
-    bool edge_is_held(const BoundaryCondition &condition) const;
+    struct Edge
+    {
+      bool cuts_cells; ///< it does not run along edges of cells
+      bool moves;      ///< a node of it is not held
+    };
+    Edge edge(const BoundaryCondition &condition) const; ///< of its face, as far as this rank has it
     /// @p velocity: wanted by more than the force.
     FaceMotion motion(const Face &face, std::size_t q, const Point &point, bool velocity = false) const;
     FaceStep   step(const Face &face, std::size_t q, const Point &point) const;
@@ -101,7 +114,7 @@ namespace myolines
     std::array<bool, 2>                 has_{};
     bool                                rates_ = false;
     std::vector<Face>                   faces_;
-    std::set<const BoundaryCondition *> potentials_; ///< see has_potential()
+    std::map<const BoundaryCondition *, std::string> no_potential_; ///< see why_no_potential()
     // Of the nodes of a face at the points of its rule: [points][nodes].
     std::vector<std::vector<double>> value_, d1_, d2_;
     std::vector<double>              weights_; ///< of the rule
