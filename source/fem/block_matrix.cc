@@ -131,7 +131,12 @@ namespace myolines
         }
   }
 
-  void BlockMatrix::clear() { matrix_ = 0; }
+  void BlockMatrix::clear()
+  {
+    provide_entries(matrix_);
+    rows_   = compressed_rows(matrix_);
+    matrix_ = 0;
+  }
 
   void BlockMatrix::constrain(const unsigned int b, double *element_matrices) const
   {

@@ -127,9 +127,10 @@ namespace myolines
         const double entry  = widest_instruction_set() == InstructionSet::baseline ? sizeof(float) : sizeof(float) / 2.;
         const double places = seen * 8 * (3 * std::pow(k, 3) * sizeof(short) + sizeof(int)); // of entries of cells
         sizes.patch_bytes   = own * star * ((star + 1) / 2 * entry + sizeof(float) + sizeof(int)) + places;
-        // Rows of 81 entries and where cells add to them, their hierarchy, and their copy of 40 bytes for a block of nine; interpolation.
+        // The pattern of rows of 81 entries and where cells add to them, their hierarchy, and their copy of 40 bytes for a block of nine;
+        // interpolation. The entries themselves are there in set-ups alone, when there are no Krylov vectors.
         const double coarse = unknowns / std::pow(k, 3);
-        sizes.coarse_bytes  = coarse * 81 * (2 * (sizeof(double) + sizeof(int)) + 40. / 9) + seen * 8 * 24 * sizeof(int) + 20 * unknowns +
+        sizes.coarse_bytes  = coarse * 81 * (sizeof(double) + 2 * sizeof(int) + 40. / 9) + seen * 8 * 24 * sizeof(int) + 20 * unknowns +
                              (parameters.n_points > k + 1 ? std::pow(k + 1, 3) * tangents : 0.);
       }
     return sizes;

@@ -16,9 +16,9 @@ namespace myolines
     for (const auto &condition : parameters.boundary)
       if (condition->facts().follows)
         {
-          const Edge here = edge(*condition);
-          const Edge all  = {dealii::Utilities::MPI::max(here.cuts_cells ? 1 : 0, d_.communicator) == 1,
-                             dealii::Utilities::MPI::max(here.moves ? 1 : 0, d_.communicator) == 1};
+          const Edge here                = edge(*condition);
+          const Edge all                 = {dealii::Utilities::MPI::max(here.cuts_cells ? 1 : 0, d_.communicator) == 1,
+                                            dealii::Utilities::MPI::max(here.moves ? 1 : 0, d_.communicator) == 1};
           no_potential_[condition.get()] = !condition->constant_pressure() ? "it is no constant pressure"
                                            : moves                         ? "a condition moves the body"
                                            : all.cuts_cells                ? "the box of its face cuts cells"

@@ -13,14 +13,15 @@
 namespace myolines
 {
   /// The rows of a matrix whose unknowns come in threes, as ML sees them: entries are those of the matrix, products are made with a copy
-  /// of 3 x 3 blocks in single precision, 40 bytes a block where compressed rows take 108. Products are what a cycle of ML streams.
+  /// of 3 x 3 blocks in single precision, 40 bytes a block where compressed rows take 108. Products are what a cycle of ML streams; the
+  /// entries are read by set-ups of ML alone, and may then be released.
   class BlockedRows : public Epetra_BasicRowMatrix
   {
   public:
     /// Whether rows and columns of @p matrix come in threes, on all ranks. Collective.
     static bool suits(const Epetra_CrsMatrix &matrix);
 
-    /// Of a matrix that suits and outlives this.
+    /// Of a matrix that suits, whose pattern outlives this.
     explicit BlockedRows(const Epetra_CrsMatrix &matrix);
 
     int Multiply(bool transposed, const Epetra_MultiVector &X, Epetra_MultiVector &Y) const override;

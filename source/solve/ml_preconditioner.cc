@@ -56,6 +56,8 @@ namespace myolines
         map_ = &matrix.trilinos_matrix().OperatorRangeMap();
       }
 
+      bool reads_matrix() const override { return blocked_ == nullptr; }
+
       unsigned int set_up_cost() const override { return 40; }
 
       void apply(const double *r, double *z) const override

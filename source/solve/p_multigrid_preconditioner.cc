@@ -52,6 +52,8 @@ namespace myolines
                     ? make_direct()
                     : make_ml();
           coarse_->factorise(levels_->coarse, &levels_->coarse_data);
+          if (!coarse_->reads_matrix())
+            release_entries(levels_->coarse);
         }
         give_back();
         for (Vector *x : {&r_, &z_, &d_, &Ad_})

@@ -31,7 +31,13 @@ namespace myolines
         constraints_.close();
         stars_  = std::make_unique<VertexStars>(*space_, *batches_, element_, constraints_);
         matrix_ = std::make_unique<BlockMatrix>(*space_, *batches_, element_.n_nodes, constraints_);
+        fill();
+      }
 
+      void fill()
+      {
+        stars_->clear();
+        matrix_->clear();
         std::mt19937                           engine(3);
         std::uniform_real_distribution<double> random(-1, 1);
         const int                              n = element_.n_nodes;
@@ -122,6 +128,20 @@ namespace myolines
       stars_->coarse_matrix().vmult(y, x);
       y -= expected;
       EXPECT_LT(y.linfty_norm(), 1e-12 * expected.linfty_norm());
+    }
+
+    TEST_P(Stars, EntriesOfTheCoarseMatrixComeBackWithTheNextState)
+    {
+      Vector x = stars_->coarse_space().make_vector(), before = x, after = x;
+      for (unsigned int i = 0; i < x.size(); ++i)
+        x(i) = std::cos(2. + i);
+      stars_->coarse_matrix().vmult(before, x);
+      release_entries(stars_->coarse_matrix());
+      fill();
+      stars_->coarse_matrix().vmult(after, x);
+      after -= before;
+      EXPECT_GT(before.linfty_norm(), 1);
+      EXPECT_EQ(after.linfty_norm(), 0);
     }
 
     TEST_P(Stars, InterpolationReproducesLinearFunctionsAndItsTransposeIsRestriction)

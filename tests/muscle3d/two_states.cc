@@ -357,9 +357,11 @@ namespace myolines
       const BoundaryConditions       sides = {test::held(0), test::held(1), test::held(2), test::held(3)};
       const std::vector<std::string> ramp  = {"profile/type=ramp", "profile/amplitude=1", "profile/duration=1"};
       const std::string              on    = "on   pressures that follow their face: ";
-      EXPECT_EQ(energies_of_pressures(sides, {}, ramp), on + "above (z+) has an energy, below (z-) has no energy, it is no constant pressure");
+      EXPECT_EQ(energies_of_pressures(sides, {}, ramp),
+                on + "above (z+) has an energy, below (z-) has no energy, it is no constant pressure");
       EXPECT_EQ(energies_of_pressures({test::held(0), test::held(1)}, {}, {"x from=0.01"}),
-                on + "above (z+) has no energy, the edge of its face is not held, below (z-) has no energy, the box of its face cuts cells");
+                on +
+                    "above (z+) has no energy, the edge of its face is not held, below (z-) has no energy, the box of its face cuts cells");
       Muscle3dParameters pulled = thrown_bar(2e4, 2e6);
       EXPECT_EQ(energies_of_pressures(test::slowly_pulled_ends(pulled, 0.1), {}, {}),
                 on + "above (z+) has no energy, a condition moves the body, below (z-) has no energy, a condition moves the body");

@@ -21,6 +21,13 @@ namespace myolines
   /// Raw access to @p matrix, which must have a fixed pattern.
   CompressedRows compressed_rows(SparseMatrix &matrix);
 
+  /// Gives the memory of the entries of @p matrix back, while its pattern stays. Before anything reads them, and
+  /// before the matrix is destroyed, provide_entries() has to bring them back: Epetra takes rows without them for rows of their own.
+  void release_entries(SparseMatrix &matrix);
+
+  /// Brings entries that release_entries() has taken back, with any values; does nothing where they are there.
+  void provide_entries(SparseMatrix &matrix);
+
   /// Local column number in @p matrix of the global unknown @p index; -1 if this rank has no such column.
   int local_column(const SparseMatrix &matrix, dealii::types::global_dof_index index);
 

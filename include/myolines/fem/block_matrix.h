@@ -18,7 +18,11 @@ namespace myolines
     /// @p space is any space of @p n_nodes nodes a cell on the mesh of the batches. The constraints outlive the matrix.
     BlockMatrix(const NodeSpace &space, const CellBatches &batches, int n_nodes, const Constraints &constraints);
 
-    /// Sets all entries to zero.
+    ~BlockMatrix() { provide_entries(matrix_); }
+    BlockMatrix(const BlockMatrix &)            = delete;
+    BlockMatrix &operator=(const BlockMatrix &) = delete;
+
+    /// Sets all entries to zero, also after release_entries().
     void clear();
 
     /// Adds the element matrices of batch @p b: [9][n_nodes][n_nodes] lanes, block (a, c) at 3 a + c. Rows and columns of
@@ -30,6 +34,7 @@ namespace myolines
     void finish();
 
     const SparseMatrix &matrix() const { return matrix_; } ///< After finish().
+    SparseMatrix       &matrix() { return matrix_; }
 
   private:
     using Numbers = std::vector<dealii::types::global_dof_index>;

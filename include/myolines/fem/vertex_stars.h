@@ -48,7 +48,7 @@ namespace myolines
     const Interpolation &interpolation() const { return interpolation_; }           ///< P, from degree 1 to the space.
     const NodeSpace     &coarse_space() const { return coarse_; }                   ///< Degree 1 on the same mesh.
     const Constraints   &coarse_constraints() const { return coarse_constraints_; } ///< What constrains it.
-    const SparseMatrix  &coarse_matrix() const { return coarse_matrix_->matrix(); } ///< P^T J P, after finish().
+    SparseMatrix        &coarse_matrix() { return coarse_matrix_->matrix(); }       ///< P^T J P, after finish().
 
     /// Bytes held.
     std::size_t memory() const;

@@ -109,11 +109,11 @@ namespace myolines
 
     static constexpr int loading = 0, pushing = 1;
 
-    const Muscle3dDiscretisation       &d_;
-    int                                 n1_; ///< nodes in one direction
-    std::array<bool, 2>                 has_{};
-    bool                                rates_ = false;
-    std::vector<Face>                   faces_;
+    const Muscle3dDiscretisation                    &d_;
+    int                                              n1_; ///< nodes in one direction
+    std::array<bool, 2>                              has_{};
+    bool                                             rates_ = false;
+    std::vector<Face>                                faces_;
     std::map<const BoundaryCondition *, std::string> no_potential_; ///< see why_no_potential()
     // Of the nodes of a face at the points of its rule: [points][nodes].
     std::vector<std::vector<double>> value_, d1_, d2_;

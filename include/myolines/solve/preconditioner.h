@@ -41,6 +41,9 @@ namespace myolines
 
     /// @p multilevel may be null. The matrix must outlive the use of what was built.
     virtual void factorise(const SparseMatrix &matrix, const MultilevelData *multilevel) = 0;
+
+    /// Whether apply() reads entries of that matrix.
+    virtual bool reads_matrix() const { return true; }
   };
 
   /// What the choice of a preconditioner may depend on.

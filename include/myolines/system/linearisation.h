@@ -35,7 +35,7 @@ namespace myolines
   {
     PatchMatrices       &patches;            ///< symmetric parts of the principal submatrices of overlapping patches, not inverted yet
     const Interpolation &interpolation;      ///< P, from the coarse space
-    const SparseMatrix  &coarse;             ///< P^T J P
+    SparseMatrix        &coarse;             ///< P^T J P; who needs it no longer may release_entries()
     const MultilevelData coarse_data;        ///< of the coarse matrix
     Vector               coarse_layout;      ///< any vector of the coarse space
     const Constraints   &coarse_constraints; ///< what relates its unknowns: coarse vectors are C q before P
