@@ -99,14 +99,25 @@ namespace myolines
                  : read_control_points(t.options.activation, "activation", activation_range);
     }
 
-    /// In a mesh strains are parts of a length among the parameters.
+    /// In a mesh strains are parts of a length among the parameters. Flexodeal forgets Grid scale there, which would move the face of a
+    /// body that is given in millimetres by metres.
     void add_reference_length(FlexodealTranslation &t, const Geometry &geometry)
     {
-      const double    length = t.theirs.positive("Geometry", "Muscle length");
-      const PrmEntry &given  = t.theirs.needed("Geometry", "Muscle length");
+      const std::string name = t.theirs.has("Geometry", "Muscle length") ? "Muscle length" : "Length";
+      if (!t.theirs.has("Geometry", name))
+        return;
+      const double    length = t.theirs.positive("Geometry", name);
+      const PrmEntry &given  = t.theirs.needed("Geometry", name);
+      if (!geometry.mesh)
+        {
+          if (t.theirs.positive("Geometry", "Grid scale") != 1 && !t.options.strain.empty())
+            t.out << "changed: strains are parts of " << name << " times Grid scale; Flexodeal takes " << name << " = " << given.text
+                  << " m\n";
+          return;
+        }
       t.set(moving_end + "/reference length", format_number(length), t.theirs.where(given));
       if (std::abs(length - geometry.size[0]) > 0.1 * geometry.size[0])
-        t.out << "Warning: strains are parts of Muscle length = " << given.text << " m, as in Flexodeal; the mesh is " << geometry.size[0]
+        t.out << "Warning: strains are parts of " << name << " = " << given.text << " m, as in Flexodeal; the mesh is " << geometry.size[0]
               << " m long\n";
     }
 
@@ -126,11 +137,10 @@ namespace myolines
     /// Flexodeal holds the face 0 and moves the pulled one along x, its line of action.
     void add_boundary(FlexodealTranslation &t, const FlexodealBody &body)
     {
-      const int              pulled = t.theirs.integer("Prescribed displacement", "Pulling face ID", 0, 255);
-      const std::string      held   = end_face(t, body, 0, 0);
-      const std::string      moved  = end_face(t, body, std::max(1, pulled), 1);
-      const std::string      origin = t.options.ends.empty() ? t.options.mesh.string() : "command line: --ends";
-      const FlexodealProfile strain = strain_of(t);
+      const int         pulled = t.theirs.integer("Prescribed displacement", "Pulling face ID", 0, 255);
+      const std::string held   = end_face(t, body, 0, 0);
+      const std::string moved  = end_face(t, body, std::max(1, pulled), 1);
+      const std::string origin = t.options.ends.empty() ? t.options.mesh.string() : "command line: --ends";
       if (body.geometry.mesh)
         {
           t.set("system/line of action/from", held, origin);
@@ -140,7 +150,8 @@ namespace myolines
       if (pulled == 0)
         {
           t.set("output/series/force face", held);
-          t.out << "changed: nothing is pulled, because Pulling face ID = 0 is the face that Flexodeal holds\n";
+          t.out << "changed: nothing is pulled, because Pulling face ID = 0 is the face that Flexodeal holds"
+                << (t.options.strain.empty() ? "" : "; not used: " + t.options.strain.string()) << "\n";
         }
       else
         {
@@ -148,9 +159,8 @@ namespace myolines
           t.set(moving_end + "/type", "strain");
           t.set(moving_end + "/components", "x y z");
           t.set(moving_end + "/direction", "1 0 0");
-          if (body.geometry.mesh && t.theirs.has("Geometry", "Muscle length"))
-            add_reference_length(t, body.geometry);
-          set_profile(t, moving_end + "/strain", strain);
+          add_reference_length(t, body.geometry);
+          set_profile(t, moving_end + "/strain", strain_of(t));
         }
       t.set(fixed_end + "/face", held, origin);
       t.set(fixed_end + "/type", "fixed");
@@ -169,12 +179,21 @@ namespace myolines
           const std::string path = "system/boundary/pressure on face " + number;
           if (face.empty())
             throw InputError(
-                InputProblem{file + ", line 1", "there is no face " + number, "numbers of faces", "the faces are: " + body.faces()});
+                InputProblem{pressure.origin, "there is no face " + number, "numbers of faces", "the faces are: " + body.faces()});
           t.set(path + "/face", face, file);
           t.set(path + "/type", "pressure");
           t.set(path + "/pressure", "-1");
           set_profile(t, path + "/profile", {pressure.points, file});
         }
+    }
+
+    /// Flexodeal adds up the times of its steps, and makes those that are below End time.
+    double steps_below(const double end, const double step)
+    {
+      double n = 0;
+      for (double t = step; t < end; t += step)
+        ++n;
+      return n;
     }
 
     double schedule_length(const std::string &steps)
@@ -191,14 +210,17 @@ namespace myolines
       const std::string &steps = t.options.steps;
       const double       step = t.theirs.positive("Time", "Time step size"), their_end = t.theirs.positive("Time", "End time");
       const PrmEntry    &given_step = t.theirs.needed("Time", "Time step size"), &given_end = t.theirs.needed("Time", "End time");
-      const double       whole = std::floor(their_end / step + 1e-6), end = steps.empty() ? whole * step : schedule_length(steps);
+      constexpr double   most = 1e7;
+      if (steps.empty() && !(their_end / step < most))
+        t.theirs.refuse(given_step, "less than 1e7 steps until End time");
+      const double whole = steps.empty() ? steps_below(their_end, step) : 0, end = steps.empty() ? whole * step : schedule_length(steps);
       if (steps.empty() && whole < 1)
-        t.theirs.refuse(given_end, "at least one time step");
+        t.theirs.refuse(given_end, "more than one time step", "Flexodeal makes the steps that end before End time");
       if (!steps.empty())
         t.out << "replaced by --steps: Time / Time step size = " << given_step.text << ", End time = " << given_end.text << "\n";
       else if (std::abs(end - their_end) > 1e-4 * step)
-        t.out << "changed: Time / End time = " << given_end.text << " is no whole number of steps; the scene ends at " << format_number(end)
-              << " s\n";
+        t.out << "changed: Time / End time = " << given_end.text << "; the scene ends at " << format_number(end)
+              << " s, with the last step that Flexodeal makes before it\n";
       t.set("time/end", format_number(end), t.theirs.where(given_end));
       if (steps.empty())
         t.set("time/step", given_step.text, t.theirs.where(given_step));
@@ -270,7 +292,11 @@ namespace myolines
 
   void import_flexodeal(const FlexodealOptions &options, std::ostream &out)
   {
-    FlexodealTranslation translation(options, out);
+    FlexodealOptions given = options;
+    for (std::filesystem::path *file : {&given.strain, &given.activation})
+      if (*file == "-")
+        file->clear();
+    FlexodealTranslation translation(given, out);
     const FlexodealBody  body = translate(translation);
     const std::string    xml  = validated(translation, body);
     on_writing_rank(options.scene.string(), "a path in a folder that exists and can be written", "",

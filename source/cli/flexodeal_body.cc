@@ -85,10 +85,16 @@ namespace myolines
           return;
         }
       const PointProperties table(t.options.points);
-      body.table_directions = table.has_directions();
-      body.table_fat        = table.has_fat();
+      body.table_directions     = table.has_directions();
+      body.table_fat            = table.has_fat();
+      const std::size_t n_kinds = tissue_kinds().size();
       for (const unsigned int id : table.tissues())
-        body.tissues.push_back(tissue_kinds()[id - 1].name);
+        if (id > n_kinds)
+          throw InputError(InputProblem{t.options.points.string() + ", column \"tissue_id\"",
+                                        "there is no tissue " + std::to_string(id) + " in Flexodeal", "1 to " + std::to_string(n_kinds),
+                                        ""});
+        else
+          body.tissues.push_back(tissue_kinds()[id - 1].name);
       t.set("system/fields/table", t.from_scene(t.options.points));
       t.set_origin("system/fields", "", t.options.points.string());
     }
@@ -153,28 +159,30 @@ namespace myolines
 
   void add_fibres(FlexodealTranslation &t, const FlexodealBody &body)
   {
-    const bool      angle = t.theirs.has("Geometry", "Pennation angle");
-    const PrmEntry *along = angle ? nullptr : t.theirs.optional("Materials", "Muscle x component");
-    t.set("system/fibres/type", angle ? "pennation angle" : "direction", along != nullptr ? t.theirs.where(*along) : "");
-    if (angle)
+    if (t.theirs.has("Geometry", "Pennation angle"))
       {
+        t.set("system/fibres/type", "pennation angle");
         if (body.geometry.mesh)
           add_pennation(t, body);
         return;
       }
-    bool   given  = false;
-    double square = 0;
-    for (const std::string axis : {"x", "y", "z"})
-      if (t.theirs.has("Materials", "Muscle " + axis + " component"))
-        {
-          t.take("Materials", "Muscle " + axis + " component", "system/fibres/" + axis);
-          square += std::pow(t.theirs.number("Materials", "Muscle " + axis + " component"), 2);
-          given = true;
-        }
-    if (given && along != nullptr && std::abs(std::sqrt(square) - 1) > length_told)
-      t.out << "changed: " << t.theirs.where(*along) << " and those of y and z make a vector of length " << std::sqrt(square)
-            << ", which becomes 1\n";
-    if (!given && !body.table_directions)
+    std::array<double, 3> direction{{1, 0, 0}}; // Flexodeal's default
+    std::string           first;                // where it gives a component
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        const std::string axis(1, "xyz"[c]), entry = "Muscle " + axis + " component";
+        if (!t.theirs.has("Materials", entry))
+          continue;
+        t.take("Materials", entry, "system/fibres/" + axis);
+        direction[c] = t.theirs.number("Materials", entry);
+        if (first.empty())
+          first = t.theirs.where(t.theirs.needed("Materials", entry));
+      }
+    t.set("system/fibres/type", "direction", first);
+    const double length = std::sqrt(direction[0] * direction[0] + direction[1] * direction[1] + direction[2] * direction[2]);
+    if (length > 0 && std::abs(length - 1) > length_told)
+      t.out << "changed: " << first << " and the other components make a vector of length " << length << ", which becomes 1\n";
+    if (first.empty() && !body.table_directions)
       t.out << "assumed: Materials / Muscle x component is not set; the fibres lie along x, as in Flexodeal by default\n";
   }
 } // namespace myolines

@@ -6,7 +6,7 @@ namespace myolines
   void add_flexodeal_options(CLI::App &command, FlexodealOptions &options)
   {
     command.add_option("parameters", options.parameters, "Its parameters")->required()->type_name("PARAMETERS.prm");
-    command.add_option("strain", options.strain, "Control points of the strain, unless the parameters have a ramp")
+    command.add_option("strain", options.strain, "Control points of the strain; - if the parameters have a ramp, or nothing is pulled")
         ->type_name("STRAIN.dat");
     command.add_option("activation", options.activation, "Control points of the activation, unless the parameters have a ramp")
         ->type_name("ACTIVATION.dat");

@@ -5,6 +5,7 @@
 #include <myolines/scene/numbers.h>
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 namespace myolines
@@ -190,7 +191,11 @@ namespace myolines
     const PrmEntry &entry = needed(section, name);
     const auto      value = scene::parse_number(entry.text);
     if (!value)
-      refuse(entry, "a number", entry.text.find(',') != std::string::npos ? "decimals have a point: 0.03" : "");
+      refuse(entry, "a number",
+             entry.text.find(',') != std::string::npos ? "decimals have a point: 0.03"
+             : std::isdigit(static_cast<unsigned char>(entry.text[0]))
+                 ? "a number alone, without a unit: lengths are in metres, times in seconds"
+                 : "");
     return *value;
   }
 

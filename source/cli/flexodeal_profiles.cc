@@ -4,6 +4,7 @@
 #include <myolines/base/names.h>
 #include <myolines/scene/numbers.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -68,9 +69,9 @@ namespace myolines
     const PrmEntry &given = theirs.needed(section, "Pull strain");
     if (!(strain > -1))
       theirs.refuse(given, "a number > -1");
-    const double rate = theirs.positive(section, "Pull strain rate");
-    if (strain == 0)
+    if (theirs.number(section, "Pull strain rate") == 0 && strain == 0)
       return {"0 0", theirs.where(given)};
+    const double rate = theirs.positive(section, "Pull strain rate");
     const double half = std::abs(strain) * length / (2 * rate), middle = (start + end) / 2;
     if (!(2 * half <= (end - start) * (1 + 1e-9)))
       theirs.refuse(theirs.needed(section, "Pull strain rate"), "at least " + format_number(std::abs(strain) * length / (end - start)) +
@@ -89,25 +90,58 @@ namespace myolines
     return {control_point(start, 0) + "; " + control_point(end, level / 100), theirs.where(given)};
   }
 
+  namespace
+  {
+    const std::string expected_pressures =
+        "a line of names, \"time\" or \"#time\" and the numbers of faces, above lines of as many finite numbers";
+
+    /// Newer versions have the names in a comment: "#time 1", "# 1".
+    bool names_faces(const PrmRow &comment)
+    {
+      const auto is_number = [](const std::string &word) { return scene::parse_integer(word).has_value(); };
+      return comment.words.size() > 1 && comment.words[0][0] == '#' &&
+             std::all_of(comment.words.begin() + 1, comment.words.end(), is_number);
+    }
+
+    /// The line of names, which goes from @p rows if it is no comment.
+    PrmRow take_names(const std::filesystem::path &file, std::vector<PrmRow> &rows)
+    {
+      const std::vector<PrmRow> comments = read_comments(file);
+      const auto                found    = std::find_if(comments.begin(), comments.end(), names_faces);
+      if (found != comments.end() && (rows.empty() || found->line < rows.front().line))
+        return *found;
+      if (rows.empty())
+        throw InputError(InputProblem{file.string(), "there is no face", expected_pressures, ""});
+      const PrmRow names = rows.front();
+      if (const std::string text = join(names.words, " "); text.find_first_of(",;") != std::string::npos)
+        refuse_row(file, names, "\"" + text + "\" is not understood", expected_pressures, "names are separated by blanks or tabs");
+      if (scene::parse_number(names.words[0]))
+        refuse_row(file, names, "there is no line of names", expected_pressures);
+      if (names.words.size() < 2)
+        refuse_row(file, names, "there is no face", expected_pressures);
+      rows.erase(rows.begin());
+      return names;
+    }
+  } // namespace
+
   std::vector<FlexodealPressure> read_pressures(const std::filesystem::path &file)
   {
-    const std::string   expected = "a line of names, \"time\" and the numbers of faces, above lines of as many finite numbers";
-    std::vector<PrmRow> rows     = read_rows(file);
-    if (rows.empty() || rows.front().words.size() < 2)
-      throw InputError(InputProblem{file.string(), "there is no face", expected, ""});
-    const PrmRow names = rows.front();
-    rows.erase(rows.begin());
-    check_control_points(file, rows, names.words.size(), expected);
+    std::vector<PrmRow> rows  = read_rows(file);
+    const PrmRow        names = take_names(file, rows);
+    check_control_points(file, rows, names.words.size(), expected_pressures);
     std::vector<FlexodealPressure> pressures;
     for (std::size_t column = 1; column < names.words.size(); ++column)
       {
         const auto face = scene::parse_integer(names.words[column]);
         if (!face || *face < 0)
-          refuse_row(file, names, "\"" + names.words[column] + "\" is not the number of a face", expected);
+          refuse_row(file, names, "\"" + names.words[column] + "\" is not the number of a face", expected_pressures);
+        for (const FlexodealPressure &before : pressures)
+          if (before.face == *face)
+            refuse_row(file, names, "face " + names.words[column] + " has two columns", expected_pressures);
         std::vector<std::string> points;
         for (const PrmRow &row : rows)
           points.push_back(row.words[0] + " " + row.words[column]);
-        pressures.push_back({*face, join(points, "; ")});
+        pressures.push_back({*face, join(points, "; "), file.string() + ", line " + std::to_string(names.line)});
       }
     return pressures;
   }
@@ -120,6 +154,8 @@ namespace myolines
       for (const PrmRow &row : read_rows(file))
         {
           refuse_odd_row(file, row, 1, 4, "\"name x y z\" with coordinates in metres");
+          if (row.words[0].find(';') != std::string::npos)
+            refuse_row(file, row, "the name \"" + row.words[0] + "\" has a semicolon", "a name without one");
           markers.push_back(
               {row.words[0], row.words[1] + " " + row.words[2] + " " + row.words[3], file.string() + ", line " + std::to_string(row.line)});
         }

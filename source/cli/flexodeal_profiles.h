@@ -34,10 +34,11 @@ namespace myolines
   {
     int         face; ///< boundary id
     std::string points;
+    std::string origin; ///< the line of names
   };
 
-  /// Pressures on faces: a line of names, the first of time and the others boundary ids, above lines of as many numbers. Positive ones
-  /// pull.
+  /// Pressures on faces: a line of names, the first of time and the others boundary ids, above lines of as many numbers. The line may be a
+  /// comment, as in newer versions. Positive ones pull. @throws InputError with file and line.
   std::vector<FlexodealPressure> read_pressures(const std::filesystem::path &file);
 
   /// A point whose displacement is written.

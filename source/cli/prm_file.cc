@@ -45,6 +45,9 @@ namespace myolines
       {
         if (!sections_.empty())
           problem(line, "the subsection \"" + sections_.back() + "\" is not closed", "end");
+        if (!problems_.empty() && entries_.empty())
+          throw InputError(InputProblem{file_, "this is no parameter file: nothing is set in it", "lines \"set NAME = VALUE\"",
+                                        "line " + std::to_string(first_problem_) + " is not understood"});
         if (!problems_.empty())
           throw InputError(problems_);
         return entries_;
@@ -64,6 +67,8 @@ namespace myolines
 
       void problem(const unsigned int line, const std::string &what, const std::string &expected)
       {
+        if (problems_.empty())
+          first_problem_ = line;
         problems_.push_back({file_ + ", line " + std::to_string(line), what, expected, ""});
       }
 
@@ -71,6 +76,7 @@ namespace myolines
       std::vector<std::string>  sections_;
       std::vector<PrmEntry>     entries_;
       std::vector<InputProblem> problems_;
+      unsigned int              first_problem_ = 0; ///< its line
     };
   } // namespace
 
@@ -96,21 +102,36 @@ namespace myolines
     return reader.finish(line);
   }
 
+  namespace
+  {
+    /// Lines of @p file as words, after @p cut has taken what counts of them.
+    template <typename Cut>
+    std::vector<PrmRow> rows_of(const std::filesystem::path &file, const Cut &cut)
+    {
+      std::istringstream  stream(scene::read_input_text(file));
+      std::vector<PrmRow> rows;
+      unsigned int        number = 0;
+      for (std::string line; std::getline(stream, line);)
+        {
+          PrmRow             row{{}, ++number};
+          std::istringstream words(cut(line));
+          for (std::string word; words >> word;)
+            row.words.push_back(word);
+          if (!row.words.empty())
+            rows.push_back(row);
+        }
+      return rows;
+    }
+  } // namespace
+
   std::vector<PrmRow> read_rows(const std::filesystem::path &file)
   {
-    std::istringstream  stream(scene::read_input_text(file));
-    std::vector<PrmRow> rows;
-    unsigned int        number = 0;
-    for (std::string line; std::getline(stream, line);)
-      {
-        PrmRow             row{{}, ++number};
-        std::istringstream words(line.substr(0, line.find('#')));
-        for (std::string word; words >> word;)
-          row.words.push_back(word);
-        if (!row.words.empty())
-          rows.push_back(row);
-      }
-    return rows;
+    return rows_of(file, [](const std::string &line) { return line.substr(0, line.find('#')); });
+  }
+
+  std::vector<PrmRow> read_comments(const std::filesystem::path &file)
+  {
+    return rows_of(file, [](const std::string &line) { return trimmed(line).substr(0, 1) == "#" ? line : ""; });
   }
 
   void refuse_odd_row(const std::filesystem::path &file, const PrmRow &row, const std::size_t n_names, const std::size_t n_words,

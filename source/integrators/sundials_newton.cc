@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include <myolines/integrators/sundials_newton.h>
+#include <myolines/integrators/sundials_versions.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -37,7 +38,7 @@ namespace myolines
     solver_->ops->solve = [](SUNNonlinearSolver solver, N_Vector predicted, N_Vector y, N_Vector weights, const double tolerance,
                              const int fresh_matrix, void *memory) {
       const int flag = of(solver).solve_from_guesses(predicted, y, weights, tolerance, fresh_matrix != 0, memory);
-      of(solver).failures_ += flag == SUN_NLS_SUCCESS ? 0 : 1;
+      of(solver).failures_ += flag == sundials_solved ? 0 : 1;
       return flag;
     };
   }
@@ -122,7 +123,7 @@ namespace myolines
         if (from_before)
           N_VLinearSum(1, before_.get(), -1, predicted, y);
         flag = solve(y, weights, tolerance, fresh_matrix || from_before != from_before_, memory);
-        if (flag == SUN_NLS_SUCCESS)
+        if (flag == sundials_solved)
           from_before_ = from_before;
         if (flag <= 0 || !has_before_)
           break;
@@ -145,7 +146,7 @@ namespace myolines
         if (contraction * size <= tolerance)
           {
             N_VLinearSum(1, y, 1, correction_.get(), y);
-            return SUN_NLS_SUCCESS;
+            return sundials_solved;
           }
         flag            = try_parts(y, weights, size, memory);
         const bool none = flag > 0;

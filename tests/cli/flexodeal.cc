@@ -180,9 +180,9 @@ TEST(Flexodeal, QuasiStaticParametersTakeTheStaticIntegrator)
   EXPECT_EQ(read_whole_scene(files.scene, {}).section("integrator").text("type"), "static");
 }
 
-/// The number of whole steps, whatever the rounding of the quotient.
-
-TEST(Flexodeal, EndIsAWholeNumberOfSteps)
+/// Flexodeal adds up times, and makes the steps that end before its end: 41 times 0.025 is not below 1.025, and ten times 0.1, as rounded,
+/// is below 1.
+TEST(Flexodeal, StepsEndBeforeTheEnd)
 {
   const TestFolder   folder;
   std::ostringstream out;
@@ -190,9 +190,35 @@ TEST(Flexodeal, EndIsAWholeNumberOfSteps)
   files.parameters         = changed(folder, "End time       = 0.20000001", "End time = 0.21");
   import_flexodeal(files, out);
   EXPECT_DOUBLE_EQ(read_whole_scene(files.scene, {}).section("time").number("end"), 0.2);
-  files.parameters = changed(folder, "End time       = 0.20000001", "End time = 0.2");
+  EXPECT_NE(out.str().find("the scene ends at 0.2 s, with the last step"), std::string::npos) << out.str();
+  const auto end = [&](const std::string &theirs, const std::string &step) {
+    std::string text = contents(flexodeal_data / "parameters.prm");
+    text.replace(text.find("0.20000001"), 10, theirs);
+    text.replace(text.find("= 0.025\n"), 8, "= " + step + "\n");
+    files.parameters = folder.write("changed.prm", text);
+    out.str("");
+    import_flexodeal(files, out);
+    return read_whole_scene(files.scene, {}).section("time").number("end");
+  };
+  EXPECT_DOUBLE_EQ(end("1.025", "0.025"), 1);
+  EXPECT_NE(out.str().find("changed: Time / End time = 1.025; the scene ends at 1 s"), std::string::npos) << out.str();
+  EXPECT_DOUBLE_EQ(end("1", "0.1"), 1);
+  EXPECT_EQ(out.str().find("changed: Time"), std::string::npos) << out.str();
+  EXPECT_DOUBLE_EQ(end("0.525", "0.025"), 0.5);
+}
+
+/// What has no counterpart in a file is "-" on the command line.
+TEST(Flexodeal, NoStrainWhereNothingIsPulled)
+{
+  const TestFolder   folder;
+  std::ostringstream out;
+  FlexodealOptions   files = flexodeal_options(folder);
+  files.parameters         = changed(folder, "Pulling face ID = 1", "Pulling face ID = 0");
+  files.strain             = "-";
   import_flexodeal(files, out);
-  EXPECT_DOUBLE_EQ(read_whole_scene(files.scene, {}).section("time").number("end"), 0.2);
+  EXPECT_EQ(read_whole_scene(files.scene, {}).section("system").section("boundary").named().size(), 1u);
+  files.parameters = flexodeal_data / "parameters.prm";
+  EXPECT_NE(flexodeal_refusal(files).find("STRAIN.dat is not given"), std::string::npos);
 }
 
 TEST(Flexodeal, BadFilesAreRefusedWithFileAndLine)
@@ -212,7 +238,8 @@ TEST(Flexodeal, BadFilesAreRefusedWithFileAndLine)
       {{"set Max strain rate ", "set Max strain rates ", "hint: nearest valid name: \"Max strain rate\""}},
       {{"subsection Time", "subsection Material properties\n set Shear modulus = 8e7\nend\nsubsection Time", "step 44"}},
       {{"# A pennate", "include more.prm\n# A pennate", "other files are not read"}},
-      {{"= 0.20000001", "= 0.01", "at least one time step"}},
+      {{"= 0.20000001", "= 0.01", "more than one time step"}},
+      {{"= 30\n", "= 3 cm\n", "hint: a number alone, without a unit"}},
       {{"  set Max strain rate                 = 5.0\n", "  set Muscle density = 1\n", "set again, after line 24"}},
       {{"set Output binary files tensors        = false\nend", "", "is not closed"}}};
   for (const auto &[from, to, message] : changes)
@@ -224,6 +251,17 @@ TEST(Flexodeal, BadFilesAreRefusedWithFileAndLine)
   FlexodealOptions files = flexodeal_options(folder);
   files.scene            = folder / "no such folder" / "scene.xml";
   EXPECT_NE(flexodeal_refusal(files).find("no such folder"), std::string::npos);
+}
+
+TEST(Prm, AFileOfAnotherKindIsOneProblem)
+{
+  const TestFolder folder;
+  FlexodealOptions files    = flexodeal_options(folder);
+  files.parameters          = folder.write("points.dat", "\n0 0\n1 2\n3 4\n");
+  const std::string refusal = flexodeal_refusal(files);
+  EXPECT_NE(refusal.find("points.dat: this is no parameter file: nothing is set in it"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("line 2 is not understood"), std::string::npos) << refusal;
+  EXPECT_EQ(refusal.find("points.dat, line"), std::string::npos) << refusal;
 }
 
 TEST(Prm, SubsectionsCommentsAndContinuations)

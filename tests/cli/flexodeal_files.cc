@@ -64,8 +64,31 @@ TEST(FlexodealFiles, PressuresAreLoadsOfFaces)
   EXPECT_EQ(loads[3].text("type"), "pressure");
   EXPECT_EQ(loads[3].number("pressure"), -1);
   EXPECT_EQ(loads[3].section("profile").text("points"), "0 10; 0.2 20");
-  files.pressures = folder.write("pressure.dat", "t 6\n0 0\n");
-  EXPECT_NE(flexodeal_refusal(files).find("pressure.dat, line 1: there is no face 6"), std::string::npos);
+
+  const auto points = [&](const std::string &text) {
+    files.pressures = folder.write("pressure.dat", text);
+    return system_of(files).section("boundary").named()[2].section("profile").text("points");
+  };
+  EXPECT_EQ(points("#time 2\n0.0 0.0\n1.0 2e5\n"), "0.0 0.0; 1.0 2e5");
+  EXPECT_EQ(points("# 2\n0 1e4\n1 1e4\n"), "0 1e4; 1 1e4");
+  EXPECT_EQ(points("# in pascal\n\ntime 2 # the side\n0 5\n"), "0 5");
+  EXPECT_EQ(points("# on face 3\n#time 2\n0 5\n# 7 7\n"), "0 5");
+  const std::vector<std::array<std::string, 2>> refused{{{"t 6\n0 0\n", "line 1: there is no face 6"}},
+                                                        {{"\n# 9\n0 0\n", "line 2: there is no face 9"}},
+                                                        {{"2 3\n0 1\n", "line 1: there is no line of names"}},
+                                                        {{"0 1\n1 1\n", "line 1: there is no line of names"}},
+                                                        {{"time 2 2\n0 1 5\n", "line 1: face 2 has two columns"}},
+                                                        {{"time,2\n0,1\n", "line 1: \"time,2\" is not understood"}},
+                                                        {{"time\n0\n", "line 1: there is no face"}},
+                                                        {{"time top\n0 1\n", "line 1: \"top\" is not the number of a face"}},
+                                                        {{"#time 2\n", "there is no control point"}},
+                                                        {{"# nothing\n", "there is no face"}}};
+  for (const auto &[text, message] : refused)
+    {
+      files.pressures = folder.write("pressure.dat", text);
+      EXPECT_NE(flexodeal_refusal(files).find("pressure.dat"), std::string::npos) << text;
+      EXPECT_NE(flexodeal_refusal(files).find(message), std::string::npos) << message << " not in\n" << flexodeal_refusal(files);
+    }
 }
 
 TEST(FlexodealFiles, ControlPointsAsToolsWriteThem)
@@ -109,6 +132,8 @@ TEST(FlexodealFiles, MarkersAreToldWithTheirLines)
   files.markers = folder.write("markers.dat", "");
   import_flexodeal(files, out);
   EXPECT_NE(out.str().find("no markers in"), std::string::npos);
+  files.markers = folder.write("markers.dat", "p;1 0 0 0\n");
+  EXPECT_NE(flexodeal_refusal(files).find("markers.dat, line 1: the name \"p;1\" has a semicolon"), std::string::npos);
   files.markers = folder.write("markers.dat", "a 0 0\n");
   EXPECT_NE(flexodeal_refusal(files).find("markers.dat, line 1"), std::string::npos);
   files.markers = folder.write("markers.dat", "a 0 0 0\nb 0.5 0 0\n");
@@ -124,4 +149,7 @@ TEST(FlexodealFiles, TablesMayNumberTheirRows)
   EXPECT_EQ(system_of(files).section("fields").file("table").filename(), "points.csv");
   files.points = folder.write("points.csv", "qp_x,qp_y,qp_z,max_iso_stres_muscle\n0.01,0.005,0.004,1e5\n");
   EXPECT_NE(flexodeal_refusal(files).find("points.csv, line 1: unknown column \"max_iso_stres_muscle\""), std::string::npos);
+  files.points = folder.write("points.csv", "qp_x,qp_y,qp_z,tissue_id\n0.01,0.005,0.004,5\n");
+  EXPECT_NE(flexodeal_refusal(files).find("points.csv, column \"tissue_id\": there is no tissue 5"), std::string::npos)
+      << flexodeal_refusal(files);
 }

@@ -18,7 +18,7 @@ namespace myolines
 
   /// Reads a deal.II parameter file (ParameterHandler): subsection/end, set, in small letters or capitals, comments from # on, lines
   /// continued by a backslash. @throws InputError with file and line for anything else, for an entry set twice and for unclosed
-  /// subsections.
+  /// subsections; without lines for a file of another kind, in which nothing is set.
   std::vector<PrmEntry> read_prm(const std::filesystem::path &file);
 
   /// A line of a table without header, as words.
@@ -30,6 +30,9 @@ namespace myolines
 
   /// The lines of @p file as words separated by blanks or tabs; empty lines, and what follows a #, are left out.
   std::vector<PrmRow> read_rows(const std::filesystem::path &file);
+
+  /// The lines of @p file that begin with a #, as words likewise, the # included.
+  std::vector<PrmRow> read_comments(const std::filesystem::path &file);
 
   /// @throws InputError with file and line, and @p expected, unless @p row has @p n_words words, all but the first @p n_names of them
   /// finite numbers.
