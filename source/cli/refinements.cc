@@ -146,7 +146,8 @@ namespace myolines
     Ladder steps_of(const BaseScene &scene)
     {
       const Node            &time   = scene.node.section("time");
-      const IntegratorEntry &method = integrator_entry(scene.node.section("integrator").text("type"));
+      const std::string      name   = scene.node.section("integrator").text("type");
+      const IntegratorEntry &method = integrator_entry(name);
       Ladder                 ladder;
       require_steps(time);
       ladder.name  = "steps";
@@ -252,7 +253,8 @@ namespace myolines
     {
       constexpr double       cost   = 3; // a solve for each order, at most
       const Node            &own    = scene.node.section("integrator");
-      const IntegratorEntry &method = integrator_entry(own.text("type")), &other = *methods_for_every_system().front();
+      const std::string      name   = own.text("type");
+      const IntegratorEntry &method = integrator_entry(name), &other = *methods_for_every_system().front();
       const MethodFacts      facts = facts_with(method, own);
       if (is_explicit(scene) || facts.order == 0 || facts.order >= other.facts.order)
         return std::nullopt;
