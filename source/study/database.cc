@@ -54,11 +54,13 @@ namespace myolines::study
     switch (sqlite3_errcode(handle_) & 0xff)
       {
       case SQLITE_FULL:
-      case SQLITE_IOERR:
       case SQLITE_PERM:
       case SQLITE_READONLY:
         files_->tell();
         throw SystemError("cannot use " + file_.string() + ": " + what, EIO);
+      case SQLITE_IOERR: // a damaged file that ends too early, unless the system has refused something
+        files_->tell();
+        refuse_database(file_, "it is damaged (" + what + ")");
       case SQLITE_CANTOPEN:
         files_->tell();
         refuse_database(file_, what);
