@@ -114,14 +114,14 @@ TEST_P(Chains, followTheReference)
         times.push_back(number(row, 2));
       }
   ASSERT_EQ(times.size(), 11u);
+  const bool                unstable = std::string(GetParam().first) == "1.15" && std::string(GetParam().second) == "0";
   MuscleRun                 run(read_isometric_chain(node(isometric_chain_schema(), {"stretch=" + std::string(GetParam().first),
                                                                                      "base material fraction=" + std::string(GetParam().second)})),
-                                "arkode", tolerances(1e-8, 1e-13, false));
+                                "arkode", unstable ? tolerances(1e-10, 1e-15, false) : tolerances(1e-8, 1e-13, false));
   const std::vector<double> initial = run.system.element_stretches(run.state.u);
   for (unsigned int i = 0; i < 17; ++i)
     EXPECT_NEAR(initial[i], number(expected[0], 3 + i), 6e-10);
   times.erase(times.begin());
-  const bool   unstable  = std::string(GetParam().first) == "1.15" && std::string(GetParam().second) == "0";
   const double tolerance = unstable ? 1e-5 : 1e-6;
   auto         row       = expected.begin();
   run.go(times, [&](const State &s) {
