@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdlib>
 
 #include <sys/mman.h>
@@ -33,25 +32,6 @@ namespace myolines
       if (blas_memory_alloc != nullptr && blas_memory_free != nullptr)
         blas_memory_free(blas_memory_alloc(0));
     }
-
-    /// A hang-up that whoever starts the program has it ignore, as nohup does, stays ignored: Open MPI 5 takes it back.
-    class KeptHangUp
-    {
-    public:
-      KeptHangUp() { sigaction(SIGHUP, nullptr, &before_); }
-      ~KeptHangUp()
-      {
-        if (before_.sa_handler == SIG_IGN)
-          sigaction(SIGHUP, &before_, nullptr);
-      }
-      KeptHangUp(const KeptHangUp &)            = delete;
-      KeptHangUp &operator=(const KeptHangUp &) = delete;
-
-    private:
-      struct sigaction before_
-      {
-      };
-    };
   } // namespace
 
   MpiSession::MpiSession(int &argc, char **&argv)
@@ -68,9 +48,8 @@ namespace myolines
       for (const auto &[variable, value] : lone_process_variables)
         setenv(variable, value, /*overwrite*/ 0);
     // Of the arguments only the name: PETSc, which deal.II starts, takes the others for options of its own that nobody used.
-    int              argc = std::min(argc_, 1);
-    const KeptHangUp kept;
-    mpi_ = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv_, 1);
+    int argc = std::min(argc_, 1);
+    mpi_     = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv_, 1);
     if (openblas_set_num_threads != nullptr)
       openblas_set_num_threads(1);
   }
