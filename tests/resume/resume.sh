@@ -84,6 +84,7 @@ killed_after() { # LINES ARGUMENTS...
   wait_for_lines $! part "$last"
   kill -9 $! 2> /dev/null || true
   wait $! 2> /dev/null || code=$?
+  [ $code = 0 ] || [ $code = 137 ] || fail "exit code $code before the run was killed"
   [ $code = 137 ]
 }
 
