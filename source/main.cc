@@ -3,6 +3,7 @@
 #include <myolines/cli/mpi_session.h>
 #include <myolines/cli/program.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
@@ -10,6 +11,16 @@
 
 namespace
 {
+  /// What the process was told to do at a hang-up, nohup for one to ignore it. UCX, which Open MPI 5 links, catches the signal while the
+  /// libraries are loaded, so it is asked for before that.
+  struct sigaction at_hang_up
+  {
+  };
+
+  void note_hang_up(int, char **, char **) { sigaction(SIGHUP, nullptr, &at_hang_up); }
+
+  [[gnu::used, gnu::section(".preinit_array")]] void (*const before_libraries)(int, char **, char **) = note_hang_up;
+
   /// A closed standard stream is opened for nothing, so that no file of a run gets its number, and with that what is printed.
   void hold_standard_streams()
   {
@@ -21,6 +32,7 @@ namespace
 
 int main(int argc, char **argv)
 {
+  sigaction(SIGHUP, &at_hang_up, nullptr);
   hold_standard_streams();
   myolines::MpiSession mpi(argc, argv);
   const int            code = myolines::program(argc, argv, mpi);

@@ -10,10 +10,10 @@ namespace myolines
     class KeptVolume : public LocalEquations::Elimination
     {
     public:
-      KeptVolume(const Muscle3dDiscretisation &discretisation, const PointMaterials &materials, const KernelModel &model, const Vector &u,
+      KeptVolume(const Muscle3dDiscretisation &discretisation, const CellSweep &sweep, const KernelModel &model, const Vector &u,
                  const Vector &before)
         : d_(discretisation)
-        , sweep_(d_.sweep(materials))
+        , sweep_(sweep)
         , model_(model)
         , u_(u)
         , size_(std::size_t(d_.element.n_modes) * d_.element.n_modes * n_lanes)
@@ -92,16 +92,17 @@ namespace myolines
     return scale;
   }
 
-  void Muscle3dLinearisation::apply_with_local(const WeightsByOrder &weights, const Vector &x, const Vector &z, Vector &y,
-                                               Vector &y_z) const
+  void Muscle3dLinearisation::apply_with_local(const WeightsByOrder &weights, const Digits digits, const Vector &x, const Vector &z,
+                                               Vector &y, Vector &y_z) const
   {
     const Weights                &w    = weights[2];
     const double                  k[3] = {w.u, w.v, w.a};
     const CurrentGhosts           current(x);
+    const bool                    exact = digits == Digits::all || rounds_pressures();
     const CellSweep               sweep = discretisation_.sweep(materials_);
     const int                     n     = sweep.element.n_modes * n_lanes;
     dealii::AlignedVector<double> dp(n), rows(n);
-    store_tangents();
+    store_tangents(exact);
     y.zero_out_ghost_values();
     y = 0;
     y_z.zero_out_ghost_values();
@@ -109,8 +110,8 @@ namespace myolines
       {
         const KernelPressure pressure{dp.data(), rows.data()};
         discretisation_.modes->get(z, b, dp.data());
-        discretisation_.kernels.apply(sweep.tables, model_, sweep.cells(b), k, tangent(tangents_, b), current.begin(), y.begin(), &pressure,
-                                      discretisation_.scratch());
+        discretisation_.kernels.apply(sweep.tables, model_, sweep.cells(b), k, tangent(tangents_, b, exact), current.begin(), y.begin(),
+                                      &pressure, discretisation_.scratch());
         for (double &row : rows)
           row *= w.u;
         discretisation_.modes->set(rows.data(), b, y_z);
@@ -131,8 +132,8 @@ namespace myolines
 
   std::unique_ptr<LocalEquations::Elimination> Muscle3dLinearisation::eliminate(const bool softened) const
   {
-    auto            kept  = std::make_unique<KeptVolume>(discretisation_, materials_, model(softened), u_, before_);
-    const CellSweep sweep = discretisation_.sweep(materials_);
+    const CellSweep sweep = softened ? lean_sweep() : discretisation_.sweep(materials_); // which preconditioners may use
+    auto            kept  = std::make_unique<KeptVolume>(discretisation_, sweep, model(softened), u_, before_);
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
       discretisation_.kernels.stiffness(sweep.tables, kept->model(), cells(sweep, b), u_.begin(), kept->stiffness(b),
                                         discretisation_.scratch());

@@ -121,7 +121,7 @@ namespace myolines
 
   void Muscle3dLinearisation::store(const CellSweep &sweep, const bool exact, Tangents &tangents) const
   {
-    if (tangents.current)
+    if (tangents.current && (!exact || !tangents.low.empty()))
       return;
     const unsigned int n_batches = sweep.batches.n_owned_batches();
     tangents.current             = true;
@@ -166,7 +166,7 @@ namespace myolines
     const CurrentGhosts current(x);
     const Weights      &w = weights[2];
     if (w.u != 0 || (w.v != 0 && model_.velocities()))
-      store_tangents();
+      store_tangents(true);
     apply(discretisation_.sweep(materials_), tangents_, true, model_, w, current.vector(), y);
     ledger_.count("tangent actions");
   }

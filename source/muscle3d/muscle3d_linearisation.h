@@ -48,18 +48,19 @@ namespace myolines
     }
     TwoLevel *two_level(const WeightsByOrder &weights, bool softened) override;
 
-    const LocalEquations *local() const override { return this; }
-    Vector                make_local() const override { return discretisation_.modes->make_vector(); }
-    Vector                local_scale(bool eliminated) const override;
-    void apply_with_local(const WeightsByOrder &weights, const Vector &x, const Vector &z, Vector &y, Vector &y_z) const override;
-    void local_residual(Vector &g) const override;
+    const LocalEquations        *local() const override { return this; }
+    Vector                       make_local() const override { return discretisation_.modes->make_vector(); }
+    Vector                       local_scale(bool eliminated) const override;
+    void                         apply_with_local(const WeightsByOrder &weights, Digits digits, const Vector &x, const Vector &z, Vector &y,
+                                                  Vector &y_z) const override;
+    void                         local_residual(Vector &g) const override;
     std::unique_ptr<Elimination> eliminate(bool softened) const override;
 
   private:
-    /// Tangents of the owned batches, for actions. Those of preconditioners need no second numbers (KernelTangent).
+    /// Tangents of the owned batches, for actions.
     struct Tangents
     {
-      LargeArray<float>  high, low;
+      LargeArray<float>  high, low; ///< low only for exact actions (KernelTangent)
       LargeArray<double> volume;
       std::size_t        size = 0, volume_size = 0; ///< of a batch
       bool               current = false;           ///< whether they are those of the state
@@ -67,12 +68,16 @@ namespace myolines
       const double *volume_of(const unsigned int b) const { return volume.data() + b * volume_size; }
     };
     void          store(const CellSweep &sweep, bool exact, Tangents &tangents) const; ///< unless they are
-    void          store_tangents() const { store(discretisation_.sweep(materials_), true, tangents_); }
+    void          store_tangents(bool exact) const { store(discretisation_.sweep(materials_), exact, tangents_); }
+    void          store_tangents() const { store_tangents(!tangents_.low.empty()); } ///< with low if that was needed before
     KernelTangent tangent(const Tangents &tangents, unsigned int batch, bool exact = true) const;
     void          apply(const CellSweep &sweep, const Tangents &tangents, bool exact, const KernelModel &model, const Weights &weights,
                         const Vector &x, Vector &y) const;
     const SparseMatrix &assemble(const WeightsByOrder &weights, bool softened);
     KernelModel         model(bool softened) const;
+
+    /// Whether Digits::single would round the columns of pressures, too, which kappa magnifies: they are stored, or made of an F that is.
+    bool rounds_pressures() const { return model_.keep_gradient || model_.before != nullptr; }
 
     /// use(batch, what is stored of its volume)
     template <typename Use>

@@ -120,8 +120,9 @@ namespace myolines
 
     sizes.matrix_bytes = unknowns * row * (sizeof(double) + sizeof(int)) + seen * nodes * (3 * nodes + 1) * sizeof(int);
     sizes.bytes        = 21 * unknowns * sizeof(double) + seen * (mesh + nodes * sizeof(int) + (10 + modes * modes) * sizeof(double));
-    // Two numbers in single precision for one, the volume of each cell, and the stiffness that the elimination of the pressure keeps.
-    sizes.tangent_bytes = points * 2 * tangents + own * (VolumeLayout(static_cast<int>(modes)).size + modes * modes) * sizeof(double);
+    // A number in single precision, two where F is kept, the volume of each cell, and the stiffness that eliminations of the pressure keep.
+    const int parts     = keeps_gradient(widest_instruction_set()) ? 2 : 1;
+    sizes.tangent_bytes = points * parts * tangents + own * (VolumeLayout(static_cast<int>(modes)).size + modes * modes) * sizeof(double);
     if (k > 1)
       {
         const double entry  = widest_instruction_set() == InstructionSet::baseline ? sizeof(float) : sizeof(float) / 2.;

@@ -7,9 +7,10 @@
 
 namespace myolines
 {
-  KrylovSystem::KrylovSystem(const TangentOperator &tangent, const Vector *scale)
+  KrylovSystem::KrylovSystem(const TangentOperator &tangent, const Vector *scale, const bool rounded)
     : tangent_(tangent)
     , scale_(scale)
+    , digits_(rounded ? LocalEquations::Digits::single : LocalEquations::Digits::all)
     , x_(tangent.layout())
     , y_(x_)
   {
@@ -37,7 +38,7 @@ namespace myolines
       tangent_.apply(x_, y_);
     else
       {
-        tangent_.apply_with_local(x_, z_, y_, y_z_);
+        tangent_.apply_with_local(digits_, x_, z_, y_, y_z_);
         for (unsigned int i = 0; i < y_z_.locally_owned_size(); ++i)
           y[n + i] = y_z_.local_element(i) * scale_->local_element(i);
       }

@@ -20,8 +20,9 @@ namespace myolines
   class KrylovSystem
   {
   public:
-    /// @p scale: s, or null: no local unknowns are kept.
-    KrylovSystem(const TangentOperator &tangent, const Vector *scale);
+    /// @p scale: s, or null: no local unknowns are kept. Actions where they are may be rounded if Newton's method asks for z, @p rounded:
+    /// its residuals tell what that leaves. Otherwise the tolerance is that of the exact tangent.
+    KrylovSystem(const TangentOperator &tangent, const Vector *scale, bool rounded);
 
     using Entries = std::vector<double>; ///< those that this rank owns
 
@@ -42,8 +43,9 @@ namespace myolines
   private:
     void split(const double *all, bool unknowns) const;
 
-    const TangentOperator &tangent_;
-    const Vector          *scale_;
-    mutable Vector         x_, y_, z_, y_z_;
+    const TangentOperator       &tangent_;
+    const Vector                *scale_;
+    const LocalEquations::Digits digits_;
+    mutable Vector               x_, y_, z_, y_z_;
   };
 } // namespace myolines

@@ -60,7 +60,7 @@ namespace myolines
         if (dz_.size() == 0)
           dz_ = lift_z_ = right_z_ = local.make_local();
         right_z_ = 0;
-        local.apply_with_local(problem.weights(), gap_, right_z_, lift_, lift_z_);
+        local.apply_with_local(problem.weights(), LocalEquations::Digits::single, gap_, right_z_, lift_, lift_z_);
       }
     else
       problem.linearisation().apply(problem.weights(), gap_, lift_);
@@ -189,7 +189,7 @@ namespace myolines
       right_ -= gap_; // dq alone
     right_.update_ghost_values();
     if (at.z.any())
-      problem.linearisation().local()->apply_with_local(problem.weights(), right_, dz_, true_, right_z_);
+      problem.linearisation().local()->apply_with_local(problem.weights(), LocalEquations::Digits::single, right_, dz_, true_, right_z_);
     else
       problem.linearisation().apply(problem.weights(), right_, true_);
     free_.condense(true_);

@@ -311,7 +311,7 @@ namespace myolines
       }
     tangent_.free_unknowns().clear_constrained(right);
     const Vector       scale = kept != nullptr ? kept->local_scale(local == nullptr || local->strict) : Vector();
-    const KrylovSystem system(tangent_, kept != nullptr ? &scale : nullptr);
+    const KrylovSystem system(tangent_, kept != nullptr ? &scale : nullptr, local != nullptr);
     const Entries      all  = system.right(right, kept != nullptr && local != nullptr ? &local->b : nullptr);
     const double       size = system.norm(all);
     Entries            solution(all.size());

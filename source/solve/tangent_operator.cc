@@ -77,9 +77,10 @@ namespace myolines
       sparse(true).vmult(y, x);
   }
 
-  void TangentOperator::apply_with_local(const Vector &x, const Vector &z, Vector &y, Vector &y_z) const
+  void TangentOperator::apply_with_local(const LocalEquations::Digits digits, const Vector &x, const Vector &z, Vector &y,
+                                         Vector &y_z) const
   {
     const WorkLedger::Timer timer(ledger_, "tangent action");
-    act([&](const Vector &all) { linearisation_->local()->apply_with_local(weights_, all, z, y, y_z); }, x, y);
+    act([&](const Vector &all) { linearisation_->local()->apply_with_local(weights_, digits, all, z, y, y_z); }, x, y);
   }
 } // namespace myolines

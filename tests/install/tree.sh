@@ -26,7 +26,7 @@ others=$(grep -vE "$ours" <<<"$shown" || true)
 [ -z "$others" ] || fail "the library shows symbols of others: ${others:0:300}"
 
 # The table of licences in doc/install.md.
-allowed='deal|trilinos_(nox|belos|belosepetra|ml|amesos|epetra|epetraext|teuchos[a-z]*|thyra[a-z]*|anasazi[a-z]*)|sundials_[a-z]+|mpi|hdf5[a-z_]*|sqlite3|z|muparser|boost_[a-z]+|tbb|lapack|blas|stdc\+\+|m|gcc_s|c|ld-linux[a-z0-9_-]*'
+allowed='deal|trilinos_(nox|belos|belosepetra|ml|amesos|epetra|epetraext|teuchos[a-z]*|thyra[a-z]*|anasazi[a-z]*)|sundials_[a-z]+|mpi|hdf5[a-z_]*|sqlite3|z|muparser|boost_[a-z]+|tbb|lapack|blas|petsc[a-z_]*|stdc\+\+|m|gcc_s|c|ld-linux[a-z0-9_-]*'
 for file in "$prefix/bin/myolines" "$library"; do
   needed=$(readelf -d "$file" | sed -n 's/.*(NEEDED).*\[\(lib\)\?\(.*\)\]/\2/p')
   unknown=$(grep -vE "^($allowed)[.-]" <<<"$needed" || true)

@@ -237,7 +237,7 @@ TEST_P(Table, hasItsOrder)
   const int          order = std::stoi(label.substr(label.rfind('_') + 1));
   for (const Problem &problem : problems())
     {
-      const unsigned int n    = order >= 7 ? 6 : 40;
+      const unsigned int n    = order >= 7 ? 6 : order >= 5 ? 20 : 40; // errors stay above what Newton's method leaves
       const double       rate = std::log2(error(problem, n) / error(problem, 2 * n));
       EXPECT_GT(rate, order - (order >= 5 ? 0.5 : 0.25)) << problem.name;
       EXPECT_LT(rate, order + 1.5) << problem.name;

@@ -105,7 +105,7 @@ namespace
       scale        = eliminated ? 2 * k_ : 2;
       return scale;
     }
-    void apply_with_local(const WeightsByOrder &w, const Vector &x, const Vector &z, Vector &y, Vector &y_z) const override
+    void apply_with_local(const WeightsByOrder &w, Digits, const Vector &x, const Vector &z, Vector &y, Vector &y_z) const override
     {
       for (const unsigned int i : {0, 1})
         y(i) = w[2].u * ((1 + z_) * x(i) + x_[i] * z(0));

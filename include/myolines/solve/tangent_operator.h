@@ -41,7 +41,7 @@ namespace myolines
     void keep_local(const bool kept) { kept_ = kept; }
 
     /// The left-hand sides of LocalEquations on the free unknowns.
-    void apply_with_local(const Vector &x, const Vector &z, Vector &y, Vector &y_z) const;
+    void apply_with_local(LocalEquations::Digits digits, const Vector &x, const Vector &z, Vector &y, Vector &y_z) const;
 
     /// The assembled matrix, with unit rows (times a typical entry) for constrained unknowns. @p exact: never softened.
     const SparseMatrix &sparse(bool exact) const;

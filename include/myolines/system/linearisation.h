@@ -64,8 +64,17 @@ namespace myolines
     /// Evaluation::local, or, @p eliminated, what it leaves in the equation of x with z eliminated.
     virtual Vector local_scale(bool eliminated) const = 0;
 
+    /// Of the derivatives in an action: all digits, or at least those of single precision, which do for Newton's method. The rows of z
+    /// have all.
+    enum class Digits
+    {
+      all,
+      single
+    };
+
     /// The left-hand sides at @p x and @p z, neither needs ghosts; @p y full length, no constraint applied.
-    virtual void apply_with_local(const WeightsByOrder &weights, const Vector &x, const Vector &z, Vector &y, Vector &y_z) const = 0;
+    virtual void apply_with_local(const WeightsByOrder &weights, Digits digits, const Vector &x, const Vector &z, Vector &y,
+                                  Vector &y_z) const = 0;
 
     /// g of the point: the residual of the equation of z. Zero where z is that of u.
     virtual void local_residual(Vector &g) const = 0;
