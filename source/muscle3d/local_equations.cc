@@ -132,7 +132,7 @@ namespace myolines
 
   std::unique_ptr<LocalEquations::Elimination> Muscle3dLinearisation::eliminate(const bool softened) const
   {
-    const CellSweep sweep = softened ? lean_sweep() : discretisation_.sweep(materials_); // which preconditioners may use
+    const CellSweep sweep = softened ? lean_sweep() : discretisation_.sweep(materials_); // softened: for preconditioners
     auto            kept  = std::make_unique<KeptVolume>(discretisation_, sweep, model(softened), u_, before_);
     for (unsigned int b = 0; b < sweep.batches.n_owned_batches(); ++b)
       discretisation_.kernels.stiffness(sweep.tables, kept->model(), cells(sweep, b), u_.begin(), kept->stiffness(b),

@@ -70,7 +70,7 @@ namespace myolines
     void          store(const CellSweep &sweep, bool exact, Tangents &tangents) const; ///< unless they are
     void          store_tangents(bool exact) const { store(discretisation_.sweep(materials_), exact, tangents_); }
     void          store_tangents() const { store_tangents(!tangents_.low.empty()); } ///< with low if that was needed before
-    KernelTangent tangent(const Tangents &tangents, unsigned int batch, bool exact = true) const;
+    KernelTangent tangent(const Tangents &tangents, unsigned int batch, bool exact) const;
     void          apply(const CellSweep &sweep, const Tangents &tangents, bool exact, const KernelModel &model, const Weights &weights,
                         const Vector &x, Vector &y) const;
     const SparseMatrix &assemble(const WeightsByOrder &weights, bool softened);
