@@ -8,6 +8,8 @@
 #include <iostream>
 
 #include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace
 {
@@ -17,9 +19,30 @@ namespace
   {
   };
 
-  void note_hang_up(int, char **, char **) { sigaction(SIGHUP, nullptr, &at_hang_up); }
+  /// OpenBLAS 0.3.29 asks for 128 MB while it is loaded, and where the system refuses it asks again, for ever. Where there is no such room
+  /// the process ends here, as no solve could begin; only plain calls of the system are allowed yet.
+  void refuse_without_room_for_blas()
+  {
+    constexpr std::size_t room  = 136 << 20;
+    void *const           place = mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (place != MAP_FAILED)
+      munmap(place, room);
+    else
+      {
+        constexpr char message[] =
+            "The system refused: out of memory: there are no 136 MB of addresses for OpenBLAS (limits of the process: ulimit -v)\n";
+        [[maybe_unused]] const auto written = write(STDERR_FILENO, message, sizeof(message) - 1);
+        _exit(static_cast<int>(myolines::ExitCode::system_refused));
+      }
+  }
 
-  [[gnu::used, gnu::section(".preinit_array")]] void (*const before_libraries)(int, char **, char **) = note_hang_up;
+  void before_libraries_begin(int, char **, char **)
+  {
+    sigaction(SIGHUP, nullptr, &at_hang_up);
+    refuse_without_room_for_blas();
+  }
+
+  [[gnu::used, gnu::section(".preinit_array")]] void (*const before_libraries)(int, char **, char **) = before_libraries_begin;
 
   /// A closed standard stream is opened for nothing, so that no file of a run gets its number, and with that what is printed.
   void hold_standard_streams()

@@ -7,17 +7,21 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include <dlfcn.h>
 #include <sys/mman.h>
-
-// Of OpenBLAS, where that is the BLAS in use.
-extern "C" void  openblas_set_num_threads(int) __attribute__((weak));
-extern "C" void *blas_memory_alloc(int) __attribute__((weak));
-extern "C" void  blas_memory_free(void *) __attribute__((weak));
 
 namespace myolines
 {
   namespace
   {
+    /// A function of OpenBLAS, where that is the BLAS in use; else null. It is asked for by name, as the program is linked to whatever
+    /// library has the names of BLAS, and mold settles weak references when it links.
+    template <class Function>
+    Function *of_open_blas(const char *name)
+    {
+      return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
+    }
+
     /// OpenBLAS asks for its working memory where it first needs it, and where the system refuses it asks again, for ever; Open MPI ends
     /// the process. So there is room for both before they begin, and OpenBLAS gets its own, which it keeps.
     /// @throws SystemError if there is none.
@@ -29,8 +33,10 @@ namespace myolines
         throw SystemError("out of memory: there are no 225 MB of addresses for OpenBLAS and Open MPI (limits of the process: ulimit -v)",
                           errno);
       munmap(room, of_blas + of_mpi);
-      if (blas_memory_alloc != nullptr && blas_memory_free != nullptr)
-        blas_memory_free(blas_memory_alloc(0));
+      const auto allocate = of_open_blas<void *(int)>("blas_memory_alloc");
+      const auto release  = of_open_blas<void(void *)>("blas_memory_free");
+      if (allocate != nullptr && release != nullptr)
+        release(allocate(0));
     }
   } // namespace
 
@@ -50,7 +56,7 @@ namespace myolines
     // Of the arguments only the name: PETSc, which deal.II starts, takes the others for options of its own that nobody used.
     int argc = std::min(argc_, 1);
     mpi_     = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv_, 1);
-    if (openblas_set_num_threads != nullptr)
-      openblas_set_num_threads(1);
+    if (const auto set_threads = of_open_blas<void(int)>("openblas_set_num_threads"))
+      set_threads(1);
   }
 } // namespace myolines
