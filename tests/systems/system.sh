@@ -58,9 +58,10 @@ enter() {
   inside "$1" "apt-get update -qq"
 }
 
-# inside SYSTEM COMMAND: of a shell there, with nothing of the environment of this one.
+# inside SYSTEM COMMAND: of a shell there, with nothing of the environment of this one. The language is set as images of containers set it:
+# ccache hashes the variables, and hits for the same compiler outside.
 inside() {
-  chroot "$1" /usr/bin/env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 \
+  chroot "$1" /usr/bin/env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 \
     DEBIAN_FRONTEND=noninteractive OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 \
     OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe \
     ${CCACHE_DIR:+CCACHE_DIR=/ccache} ${MYOLINES_JOBS:+MYOLINES_JOBS="$MYOLINES_JOBS"} bash -euo pipefail -c "$2"
