@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Requirement: `myolines compare` of real runs, and what it refuses.
 
-#include "../support/places.h"
 #include "program_runner.h"
+#include "ranks.h"
 #include "small_scenes.h"
 
 #include <gtest/gtest.h>
@@ -92,14 +92,7 @@ TEST_F(Compare, Ranks)
   run("muscle.xml", "one");
   run("muscle.xml", "finer", " --set system/geometry/refinement=1");
   const auto alone  = compare("one finer");
-  const auto mpirun = [this](const std::string &arguments) {
-    // not as a child of this process, whose MPI library has set variables that mpirun would heed
-    const std::string command = "cd '" + folder.path().string() +
-                                "' && env -i PATH=\"$PATH\" HOME=/tmp OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-                                "OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe mpirun -np 2 '" +
-                                myolines::test::program_file() + "' " + arguments + " > out.txt 2> err.txt";
-    return std::system(command.c_str());
-  };
+  const auto mpirun = [this](const std::string &arguments) { return run_program(folder, arguments, on_ranks(2)).exit_code; };
   ASSERT_EQ(mpirun("run muscle.xml --quiet --out shared --set system/geometry/refinement=1"), 0) << contents(folder / "err.txt");
   ASSERT_EQ(mpirun("compare one shared --csv two.csv"), 0) << contents(folder / "err.txt");
   const std::string  table = contents(folder / "two.csv");

@@ -2,8 +2,8 @@
 // Requirement: fields of the surface alone have its area and look outwards, hold what fields of the whole body hold there, and are the same
 // in either format and on any number of ranks; `picture` and `report` read them.
 
-#include "../support/places.h"
 #include "program_runner.h"
+#include "ranks.h"
 #include "small_scenes.h"
 
 #include <myolines/picture/surface.h>
@@ -93,18 +93,6 @@ namespace
   {
     const pictures::RunFields fields(folder / name);
     return fields.read(fields.size() - 1);
-  }
-
-  int run_on_ranks(const TestFolder &folder, const int ranks, const std::string &arguments)
-  {
-    // not as a child of this process, whose MPI library has set variables that mpirun would heed
-    const std::string command =
-        "cd '" + folder.path().string() +
-        "' && env -i PATH=\"$PATH\" HOME=\"$HOME\" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-        "OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe OMP_NUM_THREADS=1 "
-        "mpirun -np " +
-        std::to_string(ranks) + " '" + myolines::test::program_file() + "' " + arguments + " > out.txt 2> err.txt";
-    return std::system(command.c_str());
   }
 
   /// Whether each face of @p one is a face of @p other that goes round the same way, with the same fields at its corners.
@@ -235,7 +223,7 @@ TEST(SurfaceFields, DoNotDependOnRanksAndFormat)
        {Shared{"vtu3", "vtu", 3, false}, {"hdf5_2", "hdf5", 2, false}, {"hdf5_3_whole", "hdf5", 3, true}, {"vtu2_whole", "vtu", 2, true}})
     {
       const std::string whole = shared.whole ? " --set \"output/fields/surface only=false\"" : "";
-      ASSERT_EQ(run_on_ranks(folder, shared.ranks, command + shared.format + " --out " + shared.name + whole), 0)
+      ASSERT_EQ(run_program(folder, command + shared.format + " --out " + shared.name + whole, on_ranks(shared.ranks)).exit_code, 0)
           << contents(folder / "err.txt");
       const pictures::Body body = last(folder, shared.name);
       expect_same(one, shared.whole ? peeled(body) : body, shared.name);
@@ -244,9 +232,9 @@ TEST(SurfaceFields, DoNotDependOnRanksAndFormat)
   // Several cells on each rank.
   const std::string finer = " --set system/geometry/refinement=2 ";
   ASSERT_EQ(run_program(folder, command + "vtu --out fine" + finer).exit_code, 0);
-  ASSERT_EQ(run_on_ranks(folder, 3, command + "vtu --out shared" + finer), 0) << contents(folder / "err.txt");
+  ASSERT_EQ(run_program(folder, command + "vtu --out shared" + finer, on_ranks(3)).exit_code, 0) << contents(folder / "err.txt");
   EXPECT_TRUE(std::filesystem::exists(folder / "shared/fields_0000.2.vtu"));
-  ASSERT_EQ(run_on_ranks(folder, 2, command + "hdf5 --out shared_hdf5" + finer), 0) << contents(folder / "err.txt");
+  ASSERT_EQ(run_program(folder, command + "hdf5 --out shared_hdf5" + finer, on_ranks(2)).exit_code, 0) << contents(folder / "err.txt");
   expect_same(last(folder, "fine"), last(folder, "shared"), "three ranks");
   expect_same(last(folder, "fine"), last(folder, "shared_hdf5"), "two ranks");
 }
