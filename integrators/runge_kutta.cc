@@ -3,6 +3,7 @@
 #include <myolines/scene/numbers.h>
 #include <myolines/time/dirk_tables.h>
 #include <myolines/time/first_step.h>
+#include <myolines/time/start.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,15 @@ namespace myolines
       facts.error_exponent = of_table.embedded_order > 0 ? std::min(of_table.order, of_table.embedded_order) + 1 : 0;
       return facts;
     }
+    /// Velocities of unknowns without inertia are what the formulas make of displacements: those of the step before must not grow.
+    void require_bounded_velocities(const DirkTable &table, const scene::Node &node, const IntegratorContext &context)
+    {
+      constexpr double rounding = 1e-10;
+      if (const std::string why = why_no_accelerations(context.system);
+          !why.empty() && facts_of(butcher_table(table)).at_infinity > 1 + rounding)
+        node.refuse("A", "with these coefficients velocities grow from step to step, as " + why,
+                    "coefficients with a spectral radius at infinity of at most 1, or another method", methods_hint);
+    }
   } // namespace
 
   IntegratorEntry runge_kutta_entry()
@@ -90,6 +100,7 @@ namespace myolines
     entry.derived             = [](const scene::Node &node) { return tell(facts_of(butcher_table(table_of(node)))); };
     entry.make                = [](const scene::Node &node, const IntegratorContext &context) {
       const DirkTable table = table_of(node);
+      require_bounded_velocities(table, node, context);
       return make_dirk(table, facts_of_table(table), node, context);
     };
     return entry;

@@ -257,6 +257,11 @@ namespace myolines
                     tables.own ? "weights of order 1 or more" : "another table", "or \"time/control/type\" = \"fixed\"");
       return std::make_unique<AdaptiveArkode>(node, context, limits);
     };
+    entry.facts_of_parameters = [](const scene::Node &node) {
+      MethodFacts of_tables = facts();
+      of_tables.order       = arkode_tables(node).order();
+      return of_tables;
+    };
     entry.derived = [](const scene::Node &node) {
       const ArkodeTables       tables = arkode_tables(node);
       std::vector<std::string> lines{"order " + std::to_string(tables.order()) + ", embedded order " +

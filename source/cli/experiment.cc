@@ -57,6 +57,8 @@ namespace myolines
     /// @p scene, if what it asks for can be made at all.
     scene::Node feasible(scene::Node scene)
     {
+      if (!dealii::Utilities::MPI::job_supports_mpi())
+        throw std::logic_error("MPI has not been started: MpiSession::start() comes before an Experiment");
       refuse_too_large(scene);
       return scene;
     }

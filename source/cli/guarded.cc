@@ -86,5 +86,9 @@ namespace myolines
       {
         return end_alone("Internal error: ", error.what(), ExitCode::internal_error);
       }
+    catch (...)
+      {
+        return end_alone("Internal error: ", "what was thrown is no std::exception", ExitCode::internal_error);
+      }
   }
 } // namespace myolines

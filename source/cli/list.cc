@@ -176,7 +176,8 @@ namespace myolines
 
     [[noreturn]] void refuse(const std::string &what, const std::string &name, const std::vector<std::string> &known)
     {
-      throw InputError(InputProblem{"command line", "unknown " + what + " \"" + name + "\"", "one of " + join(known),
+      throw InputError(InputProblem{"command line", "unknown " + what + " \"" + name + "\"",
+                                    known.empty() ? "no name, as there is none" : "one of " + join(known),
                                     nearest_hint(name, known, "nearest valid name")});
     }
 

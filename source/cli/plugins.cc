@@ -9,9 +9,12 @@
 #include <myolines/scene/scene.h>
 
 #include <dlfcn.h>
+#include <elf.h>
+#include <link.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <sstream>
 
 namespace myolines
@@ -24,9 +27,10 @@ namespace myolines
       return all;
     }
 
-    bool is_loaded(const std::string &name)
+    const Plugin *find_loaded(const std::string &name)
     {
-      return std::any_of(loaded().begin(), loaded().end(), [&](const Plugin &plugin) { return plugin.name == name; });
+      const auto found = std::find_if(loaded().begin(), loaded().end(), [&](const Plugin &plugin) { return plugin.name == name; });
+      return found != loaded().end() ? &*found : nullptr;
     }
 
     /// Nothing of a path.
@@ -69,6 +73,27 @@ namespace myolines
                                       "build it anew against this installation, without compiler options of its own"});
     }
 
+    /// A file that was cut short: the loader would map pages that are not there, and the first look at them kills the process.
+    void require_whole_file(const std::string &content, const std::string &name, const std::string &where)
+    {
+      ElfW(Ehdr) header{};
+      std::memcpy(&header, content.data(), std::min(sizeof header, content.size()));
+      const auto there = [&](const std::size_t from, const std::size_t size) {
+        return from <= content.size() && size <= content.size() - from;
+      };
+      bool whole = std::memcmp(header.e_ident, ELFMAG, SELFMAG) == 0 && there(header.e_phoff, header.e_phnum * sizeof(ElfW(Phdr))) &&
+                   there(header.e_shoff, header.e_shnum * sizeof(ElfW(Shdr))); // which is the end of the file
+      for (std::size_t i = 0; whole && i < header.e_phnum; ++i)
+        {
+          ElfW(Phdr) segment;
+          std::memcpy(&segment, content.data() + header.e_phoff + i * sizeof segment, sizeof segment);
+          whole = segment.p_type != PT_LOAD || there(segment.p_offset, segment.p_filesz);
+        }
+      if (!whole)
+        throw InputError(InputProblem{where, "the file of the plug-in \"" + name + "\" is not whole",
+                                      "a shared object made by myolines_add_plugin", "copy or build it again"});
+    }
+
     using EntriesOf = void (*)(PluginEntries &);
 
     EntriesOf open_plugin(const std::filesystem::path &file, const std::string &name, const std::string &where)
@@ -89,13 +114,30 @@ namespace myolines
       return read_file(file);
     }
 
-    /// Files with names of plug-ins in @p folder, if there is one.
+    /// What the plug-in brings, as it says itself.
+    PluginEntries entries_of(const std::filesystem::path &file, const std::string &name, const std::string &where)
+    {
+      const EntriesOf tell = open_plugin(file, name, where);
+      PluginEntries   entries;
+      try
+        {
+          tell(entries);
+        }
+      catch (const std::exception &error)
+        {
+          throw InputError(InputProblem{where, "the plug-in \"" + name + "\" fails when it is asked what it brings: " + error.what(),
+                                        "entries that can be made without a scene", "mend the functions that make its entries"});
+        }
+      return entries;
+    }
+
+    /// Shared objects in @p folder, if there is one.
     std::vector<std::filesystem::path> plugins_in(const std::filesystem::path &folder)
     {
       std::vector<std::filesystem::path> files;
       std::error_code                    none;
       for (const auto &entry : std::filesystem::directory_iterator(folder, none))
-        if (entry.path().extension() == ".so" && is_name(entry.path().stem().string()))
+        if (entry.path().extension() == ".so")
           files.push_back(entry.path());
       std::sort(files.begin(), files.end());
       return files;
@@ -110,6 +152,22 @@ namespace myolines
           if (std::none_of(all.begin(), all.end(), [&](const std::filesystem::path &other) { return other.stem() == file.stem(); }))
             all.push_back(file);
       return all;
+    }
+    /// That of the installation: beside the program, or where this code is part of the library or of the Python package, in a folder above.
+    std::filesystem::path installed_folder()
+    {
+      Dl_info         where{};
+      const link_map *object = nullptr;
+      std::error_code none;
+      if (dladdr1(reinterpret_cast<const void *>(&plugin_folders), &where, reinterpret_cast<void **>(const_cast<link_map **>(&object)),
+                  RTLD_DL_LINKMAP) == 0 ||
+          object->l_name[0] == '\0') // the program itself
+        return (std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / MYOLINES_PLUGIN_FOLDER).lexically_normal();
+      const std::filesystem::path folder = std::filesystem::absolute(object->l_name).parent_path(), plugins = "myolines/plugins";
+      for (std::filesystem::path above = folder; above.has_relative_path(); above = above.parent_path())
+        if (std::filesystem::is_directory(above / plugins, none))
+          return above / plugins;
+      return folder / plugins;
     }
   } // namespace
 
@@ -142,15 +200,21 @@ namespace myolines
     if (!is_name(name) || file.extension() != ".so")
       throw InputError(InputProblem{where, "\"" + file.filename().string() + "\" is no name of a plug-in",
                                     std::string("NAME.so, NAME of ") + what_a_name_is, ""});
-    if (is_loaded(name))
-      return;
-    const std::filesystem::path whole   = std::filesystem::absolute(file); // without a slash the loader would look elsewhere
-    const std::string           content = content_of(whole, where);
-    require_same_build(content, name, where);
-    PluginEntries entries;
-    open_plugin(whole, name, where)(entries);
+    const std::filesystem::path whole = std::filesystem::absolute(file); // without a slash the loader would look elsewhere
+    const std::string           at = where + ": " + whole.string(), content = content_of(whole, at);
+    if (const Plugin *other = find_loaded(name))
+      {
+        std::error_code gone;
+        if (std::filesystem::equivalent(whole, other->file, gone))
+          return;
+        throw InputError(InputProblem{at, "there is a plug-in \"" + name + "\" already, of the file " + other->file.string(),
+                                      "one file of each name", "leave one of them out, or give it another name in CMakeLists.txt"});
+      }
+    require_same_build(content, name, at);
+    require_whole_file(content, name, at);
+    const PluginEntries entries = entries_of(whole, name, at);
     if (!entries.taken().empty())
-      throw InputError(InputProblem{where, "the plug-in \"" + name + "\" brings what there is already: " + join(entries.taken()),
+      throw InputError(InputProblem{at, "the plug-in \"" + name + "\" brings what there is already: " + join(entries.taken()),
                                     "names of its own", "give it another name in the facts, or the schema, of its source"});
     entries.enter();
     Checksum checksum;
@@ -166,7 +230,7 @@ namespace myolines
         if (!is_name(name))
           throw InputError(InputProblem{where, "\"" + name + "\" is no name of a plug-in", what_a_name_is,
                                         "scenes load no files: name one on the command line, --plugin FILE"});
-        if (is_loaded(name))
+        if (find_loaded(name) != nullptr)
           continue;
         const auto all   = all_there_are();
         const auto found = std::find_if(all.begin(), all.end(), [&](const std::filesystem::path &file) { return file.stem() == name; });
@@ -201,11 +265,16 @@ namespace myolines
     for (const std::filesystem::path &file : all_there_are())
       try
         {
-          load_plugin(file);
+          if (find_loaded(file.stem().string()) == nullptr)
+            load_plugin(file);
         }
       catch (const InputError &error)
         {
           refused.emplace_back(file.stem().string(), file.string() + ": " + error.problems().front().what);
+        }
+      catch (const SystemError &error)
+        {
+          refused.emplace_back(file.stem().string(), error.what());
         }
     return refused;
   }
@@ -220,9 +289,7 @@ namespace myolines
           if (!part.empty())
             folders.emplace_back(part);
       }
-    std::error_code             none;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
-    folders.push_back((program.parent_path() / MYOLINES_PLUGIN_FOLDER).lexically_normal());
+    folders.push_back(installed_folder());
     return folders;
   }
 } // namespace myolines

@@ -376,7 +376,7 @@ namespace myolines
     const auto command_with_plugins = [&line] {
       for (std::filesystem::path &file : line.plugins)
         {
-          load_plugin(file, "command line: --plugin " + file.string());
+          load_plugin(file, "command line: --plugin");
           file = std::filesystem::absolute(file); // for runs that are started elsewhere
         }
       line.chosen();

@@ -126,13 +126,20 @@ namespace myolines
       return reader.read(*experiment.assembled().system);
     }
 
-    /// Files that the scene names and that are not as they were when the run was kept: its past was computed with others.
+    /// The same file, or the plug-in of the same name, which may lie elsewhere by now.
+    bool is_same_input(const std::filesystem::path &one, const std::filesystem::path &other)
+    {
+      return one == other || (one.extension() == ".so" && one.filename() == other.filename());
+    }
+
+    /// Files that the scene names, and plug-ins, that are not as they were when the run was kept: its past was computed with others.
     std::vector<std::string> changed_inputs(const Checkpoint &checkpoint, const std::map<std::string, std::string> &now)
     {
       std::vector<std::string> changed;
       for (const auto &[file, checksum] : checkpoint.inputs)
-        if (const auto found = now.find(file); found != now.end() && found->second != checksum)
-          changed.push_back(file + " has changed since: what comes before was computed with another content");
+        if (const auto found = std::find_if(now.begin(), now.end(), [&](const auto &input) { return is_same_input(input.first, file); });
+            found != now.end() && found->second != checksum)
+          changed.push_back(found->first + " has changed since: what comes before was computed with another content");
       return changed;
     }
 

@@ -130,6 +130,14 @@ namespace myolines
 
   void Simulation::restore(const Moment &moment)
   {
+    const bool        of_a_file = moment.courses.empty(); // which has nothing of what steers
+    const std::size_t n_drives = moment.courses.size(), n_unknowns = moment.run.state.u.size();
+    if (n_unknowns != state_.u.size() || (!of_a_file && n_drives != steered().size()))
+      throw InputError(InputProblem{"restore",
+                                    "the moment is of another scene: it has " + std::to_string(n_unknowns) + " unknowns and " +
+                                        std::to_string(n_drives) + " steered drives",
+                                    std::to_string(state_.u.size()) + " and " + std::to_string(steered().size()),
+                                    "save() of a simulation of the same scene makes one"});
     followed_.begun = moment.begun;
     followed_.steps = moment.run.step;
     state_          = moment.run.state;

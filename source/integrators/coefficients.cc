@@ -87,6 +87,11 @@ namespace myolines
                       "1, as without \"b\" the last stage is the end of the step");
       }
     table.embedded = read_weights(node, "embedded", table.a.size());
+    if (std::equal(table.b.begin(), table.b.end(), table.embedded.begin(), table.embedded.end(),
+                   [](const double one, const double other) { return std::abs(one - other) < weight_rounding; }))
+      node.refuse("embedded", "these are the weights of the method, so that the estimated error is always 0",
+                  "weights of another formula, of lower order",
+                  "without \"embedded\" steps by error are doubled where the method allows it");
     return table;
   }
 

@@ -216,6 +216,10 @@ namespace myolines
     else
       refuse_coefficients(integrator, tables.implicit ? "implicit table" : "explicit table",
                           tables.implicit ? *tables.implicit : *tables.explicit_);
+    if (tables.order() < 2)
+      integrator.refuse(tables.own ? "A" : (tables.implicit ? "implicit table" : "explicit table"),
+                        "the method is of order 1, and ARKODE makes no accelerations of steps of order 1", "a method of order 2 or more",
+                        "\"backward euler\", and \"runge kutta\" with implicit tables of order 1");
     if (!tables.additive() && integrator.has("split"))
       integrator.refuse("split", "only an additive method, with two tables, splits the forces", "no \"split\"",
                         "--unset integrator/split leaves it out");

@@ -8,6 +8,7 @@
 #include <complex>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 namespace myolines
 {
@@ -111,8 +112,8 @@ namespace myolines
     }
 
     /// Stages of u' = lambda u over one denominator, the product of all 1 - a_ii z so far, and the end of the step as one more stage,
-    /// which is known, where the last one is not the end.
-    void find_stability_function(const ButcherTable &table, ButcherFacts &facts)
+    /// which is known, where the last one is not the end. Numerator and denominator of R(z).
+    std::pair<Polynomial, Polynomial> stability_function(const ButcherTable &table, const bool stiffly_accurate)
     {
       std::vector<Polynomial> stages; // numerators
       Polynomial              denominator{1};
@@ -127,12 +128,28 @@ namespace myolines
       };
       for (const Column &row : table.a)
         add_stage(row, row.back());
-      if (!facts.stiffly_accurate)
+      if (!stiffly_accurate)
         add_stage(table.b, 0);
-      facts.numerator           = stages.back();
-      facts.denominator         = denominator;
-      constexpr double rounding = 1e-13; // of coefficients that cancel
-      while (std::abs(facts.numerator.back()) < rounding)
+      return {stages.back(), denominator};
+    }
+
+    /// Coefficients with which nothing cancels in stability_function(): sizes of the terms that add up to its coefficients.
+    ButcherTable without_cancellation(ButcherTable table)
+    {
+      for (Column &row : table.a)
+        for (std::size_t j = 0; j < row.size(); ++j)
+          row[j] = j + 1 < row.size() ? std::abs(row[j]) : -std::abs(row[j]);
+      for (double &weight : table.b)
+        weight = std::abs(weight);
+      return table;
+    }
+
+    void find_stability_function(const ButcherTable &table, ButcherFacts &facts)
+    {
+      std::tie(facts.numerator, facts.denominator) = stability_function(table, facts.stiffly_accurate);
+      const Polynomial sizes                       = stability_function(without_cancellation(table), facts.stiffly_accurate).first;
+      constexpr double rounding                    = 1e-13; // of coefficients that cancel
+      while (std::abs(facts.numerator.back()) < rounding * sizes[facts.numerator.size() - 1])
         facts.numerator.pop_back();
     }
 

@@ -5,6 +5,7 @@
 #include <myolines/time/first_step.h>
 #include <myolines/time/start.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -12,6 +13,20 @@ namespace myolines
 {
   namespace
   {
+    /// The first and the last instant at which stages of @p table look, in steps: 0 and 1, or before and beyond.
+    std::pair<double, double> span_of_stages(const DirkTable &table)
+    {
+      constexpr double rounding = 1e-9; // of coefficients with a dozen digits
+      double           first = 0, last = 1;
+      for (std::size_t i = 0; i + 1 < table.a.size(); ++i) // the last one is the end of the step
+        {
+          const double c = table.c(i);
+          first          = c < -rounding ? std::min(first, c) : first;
+          last           = c > 1 + rounding ? std::max(last, c) : last;
+        }
+      return {first, last};
+    }
+
     class DirkMethod : public Integrator
     {
     public:
@@ -30,26 +45,34 @@ namespace myolines
       DirkStepper             stepper_;
     };
 
-    class ExplicitFirstStageMethod : public Integrator
+    /// For tables whose first stage is explicit, and those with stages before the step or beyond it: steps that would look into another
+    /// smooth piece, where loads are others, are L-stable ones.
+    class StartedDirkMethod : public Integrator
     {
     public:
-      ExplicitFirstStageMethod(const DirkTable &table, const FirstStep first, const unsigned int order, const IntegratorContext &context)
-        : solver_(context)
+      StartedDirkMethod(const DirkTable &table, const FirstStep first, const unsigned int order, const IntegratorContext &context)
+        : system_(context.system)
+        , last_(span_of_stages(table).second)
+        , solver_(context)
         , stepper_(table, solver_, context)
-        , starter_(first, solver_, context, order)
+        , starter_(first, solver_, context, order, table.explicit_first_stage() || span_of_stages(table).first < 0 ? 1 : 0)
       {}
 
       void       start(State &state) override { starter_.start(state); }
       StepReport step(const double dt, State &state) override
       {
+        if (last_ > 1 && !system_.events(state.t, state.t + last_ * dt).empty())
+          starter_.kink_ahead();
         return starter_.takes_next_step() ? starter_.step(dt, state) : stepper_.step(dt, state);
       }
       void remember(Memory &memory) override { starter_.remember(memory); }
 
     private:
-      StageSolver solver_;
-      DirkStepper stepper_;
-      Starter     starter_;
+      const SemiDiscreteSystem &system_;
+      const double              last_; ///< instant at which a stage looks, in steps
+      StageSolver               solver_;
+      DirkStepper               stepper_;
+      Starter                   starter_;
     };
 
     void add(Vector &y, const double factor, const Vector &x) { combine(y, {{1, &y}, {factor, &x}}); }
@@ -128,9 +151,9 @@ namespace myolines
   std::unique_ptr<Integrator> make_dirk(const DirkTable &table, const MethodFacts &facts, const scene::Node &integrator,
                                         const IntegratorContext &context)
   {
-    if (!table.explicit_first_stage())
+    if (!table.explicit_first_stage() && span_of_stages(table) == std::pair(0., 1.))
       return std::make_unique<DirkMethod>(table, context);
     require_fitting_first_step(facts, integrator, context);
-    return std::make_unique<ExplicitFirstStageMethod>(table, first_step(integrator), facts.order, context);
+    return std::make_unique<StartedDirkMethod>(table, first_step(integrator), facts.order, context);
   }
 } // namespace myolines

@@ -57,8 +57,8 @@ grep -q '"integrator rho bathe"' run/manifest.json || fail "the manifest does no
 
 if [ -d "$prefix/lib/python3/dist-packages/myolines" ]; then
   python=$(sed -n 's/^_Python_EXECUTABLE:INTERNAL=//p' "$1/CMakeCache.txt")
-  MYOLINES_PLUGIN_PATH=$PWD/build PYTHONPATH=$prefix/lib/python3/dist-packages "$python" -B -c \
-    'import myolines; myolines.Simulation("template.xml").advance(1)' || fail "Python does not load it"
+  PYTHONPATH=$prefix/lib/python3/dist-packages "$python" -B -c 'import myolines; myolines.Simulation("template.xml").advance(1)' ||
+    fail "Python does not load it from the folder of the installation"
 fi
 
 # The same source as one of those that are built in: the same numbers.
@@ -101,6 +101,24 @@ refused '"rho bathe" is not a valid choice' study study.xml --out study
 "$myolines" advise "$scene" --plugin build/methods.so --set time/end=1 --quantity "trajectory.csv:Displacement [m]" --accuracy "1 %" --out advise --quiet
 grep 'rho bathe' advise/advise.csv >/dev/null || fail "the method of the plug-in is no candidate"
 mv away prefix/lib/myolines/plugins
+
+# A run that goes on with another build, though that lies elsewhere, says so.
+mkdir rebuilt
+cp "$plugin" rebuilt/methods.so
+printf ' ' >>rebuilt/methods.so
+MYOLINES_PLUGIN_PATH=$PWD/rebuilt "$myolines" run template.xml --out run --resume --set time/end=13 |
+  grep 'rebuilt/methods.so has changed since' >/dev/null || fail "nothing is said of another build"
+
+# Of two files of one name the second is refused, and one that was cut short before the loader sees it.
+refused 'there is a plug-in "methods" already, of the file' check "$scene" --plugin "$plugin" --plugin rebuilt/methods.so
+"$myolines" check "$scene" --plugin "$plugin" --plugin build/../build/methods.so --set "integrator/type=rho bathe" >/dev/null
+mkdir cut
+size=$(wc -c <"$plugin")
+for part in 1 10 20 30 40 50 60 70 80 90; do
+  head -c $((size * part / 100)) "$plugin" >cut/methods.so
+  refused 'cut/methods.so: ' check "$scene" --plugin cut/methods.so
+done
+MYOLINES_PLUGIN_PATH=$PWD/cut "$myolines" list plug-ins | grep 'is not whole\|is no plug-in' >/dev/null || fail "the list does not say what is refused"
 
 # Built with something else.
 mkdir others

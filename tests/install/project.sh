@@ -47,6 +47,31 @@ for table in program/*.csv; do
 done
 ls own | grep -q csv
 
+# The lines of doc/interface.md, one block after the other, write what the program writes, and then go on by themselves to t = 1.
+mkdir lines lines/results
+cp scene.xml lines/
+{
+  printf '#include <myolines/cli/%s.h>\n' experiment guarded mpi_session
+  printf '#include <%s>\n' myolines/output/output_folder.h iostream
+  echo 'using namespace myolines;'
+  echo 'int main(int argc, char **argv) { return static_cast<int>(guarded([&] {'
+  sed -n '/^```cpp$/,/^```$/{/^```/!p}' "$2/doc/interface.md"
+  echo '}, std::cerr)); }'
+} >lines/lines.cc
+cat >lines/CMakeLists.txt <<'TEXT'
+cmake_minimum_required(VERSION 3.22)
+project(lines C CXX)
+find_package(Myolines 0.1 REQUIRED)
+add_executable(lines lines.cc)
+target_link_libraries(lines Myolines::myolines)
+TEXT
+cmake -S lines -B lines/build -G Ninja -DCMAKE_PREFIX_PATH="$PWD/prefix" >/dev/null
+cmake --build lines/build
+(cd lines && build/lines >out.txt)
+prefix/bin/myolines run scene.xml --quiet --out program_1ms --set time/step=1e-3
+numdiff -q -s ', \n' -a 1e-12 program_1ms/trajectory.csv lines/results/trajectory.csv # a run sets solvers up anew where it is kept
+holds '$1 > 0.9999 && $1 < 1.0011 && NR >= 1000' lines/out.txt
+
 # The matrices of an oscillator are known; the mass of a muscle at the end of a run is symmetric.
 library/build/matrices scene.xml
 holds '$1 == 1 && $2 == 1 && $3 == 5' K.mtx

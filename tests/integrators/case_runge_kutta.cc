@@ -91,6 +91,11 @@ namespace myolines::testing
     const std::vector<std::vector<double>> composite{{0}, {0.25, 0.25}, {1. / 3, 1. / 3, 1. / 3}};
     Case                                   given = of("runge_kutta_of_the_scene", 2, composite, {"table=own", "A=0; 1/4 1/4; 1/3 1/3 1/3"});
     given.matrices                               = 2;
-    return {c3, own3, own4, given};
+    // Alexander's method with the larger root, whose first stage lies beyond the step
+    const double large  = 1 + std::sqrt(0.5);
+    Case         beyond = of("runge_kutta_beyond_the_step", 2, {{large}, {1 - large, large}},
+                             {"table=own", "A=1.7071067811865476; -0.7071067811865476 1.7071067811865476"});
+    beyond.steps        = 320;
+    return {c3, own3, own4, given, beyond};
   }
 } // namespace myolines::testing

@@ -245,6 +245,24 @@ namespace
     EXPECT_GT(std::log2(error(1.5 / 40) / error(1.5 / 80)), 3.8);
   }
 
+  /// What a stage beyond the step meets is none of its business where loads change in between.
+  TEST(RungeKutta, NothingMovesBeforeItsBoundary)
+  {
+    OscillatorParameters parameters;
+    parameters.support = std::make_shared<Ramp>(0.3, 2);
+    for (const double end : {0.2, 0.3})
+      {
+        Experiment run(integrator_entry("runge kutta"), parameters, BoundaryRates::exact,
+                       {"table=own", "A=1.7071067811865476; -0.7071067811865476 1.7071067811865476"});
+        run.state.u = 0;
+        run.run(end, 0.1);
+        for (const Vector *x : {&run.state.u, &run.state.v, &run.state.a})
+          EXPECT_EQ((*x)(0), 0) << end;
+        run.run(0.4, 0.1);
+        EXPECT_GT(run.state.v(0), 1e-3) << "and then it does";
+      }
+  }
+
   TEST(RungeKutta, TablesOfAScenesAreLookedAt)
   {
     EXPECT_NE(

@@ -87,6 +87,8 @@ namespace
 
 TEST_P(OwnTables, haveTheirOrder)
 {
+  const IntegratorEntry &entry = integrator_entry("arkode");
+  EXPECT_EQ(facts_with(entry, node(entry.schema, GetParam().parameters)).order, GetParam().order);
   EXPECT_EQ(told(GetParam().parameters).rfind("order " + std::to_string(GetParam().order) + ", embedded order 0, ", 0), 0u);
   for (const Problem &problem : problems())
     {
@@ -107,6 +109,17 @@ TEST(OwnTable, isToldWithItsStabilityFunction)
   Overrides with_estimate = classical.parameters;
   with_estimate.push_back("embedded=0 1 0 0"); // the explicit midpoint rule
   EXPECT_NE(told(with_estimate).find("order 4, embedded order 2, 4 stages"), std::string::npos);
+}
+
+/// Ten steps of the trapezoidal rule in one: the coefficients of the highest powers are small, and yet there.
+TEST(OwnTable, keepsSmallCoefficientsOfItsStabilityFunction)
+{
+  std::string a = "0", row = "1/20";
+  for (unsigned int i = 0; i < 10; ++i, row += " 1/10")
+    a += "; " + row + " 1/20";
+  const std::string text = told({"implicit table=own", "A=" + a});
+  for (const char *part : {"stiffly accurate, A-stable, spectral radius at infinity 1\n", "9.76563e-14 z^10) / (", "9.76563e-14 z^10)\n"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
 /// The formulas of the method, one after the other.
@@ -144,6 +157,9 @@ TEST(OwnTable, isRefusedWhereItIsNone)
   expect({"implicit table=own", "A=-1/2", "b=1"}, "the diagonal of row 1 is -0.5");
   expect({"implicit table=none", "explicit table=own", "A=0; 1/2 1/2"}, "the diagonal of row 2 is 0.5");
   expect({"implicit table=own", "A=1/2", "b=1/2 1/2"}, "2 weights that add up to 1");
+  expect({"implicit table=own", "A=1/2; 1/2 1/2", "embedded=1/2 1/2"}, "the estimated error is always 0");
+  expect({"implicit table=own", "A=1"}, "the method is of order 1");
+  expect({"implicit table=none", "explicit table=own", "A=0; 1 0", "b=1 0"}, "the method is of order 1");
   expect({"implicit table=own", "explicit table=HEUN_EULER_2_1_2", "A=1/2", "b=1", "split=linear"}, "do not belong together");
 }
 

@@ -162,6 +162,9 @@ TEST(Accelerations, mustFadeWhereThereIsNoInertia)
   };
   EXPECT_NE(complaint("newmark", {}).find("carries accelerations on undamped, but the system has no inertia"), std::string::npos);
   EXPECT_NE(complaint("hht alpha", {"alpha=0"}).find("undamped"), std::string::npos);
+  const auto own = [&](const std::string &a) { return complaint("runge kutta", {"table=own", "A=" + a}); };
+  EXPECT_NE(own("0; 11/20 9/20").find("velocities grow from step to step, as the system has no inertia"), std::string::npos);
+  EXPECT_EQ(own("0; 1/2 1/2"), "taken");
   for (const std::string method : {"hht alpha", "tr-bdf2"})
     EXPECT_NE(complaint(method, {"first step=own"}).find("begins from accelerations, but the system has no inertia"), std::string::npos);
 }

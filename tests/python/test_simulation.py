@@ -197,6 +197,11 @@ class Moments(FolderTest):
         first = state(simulation.advance(0.03))
         np.testing.assert_array_equal(state(simulation.restore(moment).advance(0.03)), first)
 
+    def test_of_another_scene(self):
+        moment = myolines.Simulation(block()).advance(0.02).save()
+        with self.assertRaisesRegex(myolines.InputError, "the moment is of another scene"):
+            myolines.Simulation(oscillator()).restore(moment)
+
     def test_files(self):
         scene = oscillator(**{"integrator/type": "bdf2"})
         simulation = myolines.Simulation(scene)

@@ -66,7 +66,8 @@ namespace myolines
   std::string plugin_of(const std::string &words);
 
   /// Loads a plug-in, once. Before any code of it runs, what it was built with is read from the file and compared with build_facts.
-  /// @throws InputError at @p where if the file is none, if a fact differs, if one of its things is there already.
+  /// @throws InputError at @p where and @p file if the file is none or not whole, if a fact differs, if another file of this name was
+  /// loaded, if one of its things is there already. @throws SystemError if it cannot be read.
   void load_plugin(const std::filesystem::path &file, const std::string &where = "plug-in");
 
   /// Loads those of @p names, words between blanks, from the folders of plugin_folders(). @throws InputError at @p where, for a name that
@@ -80,6 +81,6 @@ namespace myolines
   std::vector<std::pair<std::string, std::string>> load_all_plugins();
 
   /// Where plug-ins are looked for by name: the folders of the variable MYOLINES_PLUGIN_PATH, with colons between, then that of the
-  /// installation, beside the program.
+  /// installation, which is found from where the program is, or the library, or the Python package.
   std::vector<std::filesystem::path> plugin_folders();
 } // namespace myolines

@@ -61,7 +61,7 @@ namespace myolines
       bool                           begun;   ///< whether the method has started
     };
     Moment save();                        ///< The present moment.
-    void   restore(const Moment &moment); ///< Goes back to it, steered drives included.
+    void   restore(const Moment &moment); ///< Goes back to it, steered drives included. @throws InputError for one of another scene.
 
     /// The same as a file, which a later program reads with the same scene; of what steers it, it has nothing. @throws InputError for
     /// files that are damaged or of another scene.
