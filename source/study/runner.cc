@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "progress.h"
 
+#include <myolines/base/checksum.h>
 #include <myolines/base/counted.h>
 #include <myolines/base/error.h>
 #include <myolines/base/files.h>
@@ -13,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <deque>
@@ -125,6 +127,34 @@ namespace myolines::study
       }
 
     private:
+      /// Where the file of @p input is today: plug-ins may be named anew.
+      std::filesystem::path place_of(const std::filesystem::path &input) const
+      {
+        const auto same_name = [&](const std::filesystem::path &plugin) { return plugin.filename() == input.filename(); };
+        const auto found     = std::find_if(options_.plugins.begin(), options_.plugins.end(), same_name);
+        return found != options_.plugins.end() ? *found : input;
+      }
+
+      /// Whether the files that a run read, plug-ins among them, are as they were; of the scene itself it matters what it resolves to.
+      bool read_the_same_files(const std::string &manifest)
+      {
+        const auto json = nlohmann::json::parse(manifest, nullptr, /*allow_exceptions*/ false);
+        if (!json.is_object() || !json.contains("inputs") || !json["inputs"].is_object())
+          return true;
+        for (const auto &[input, checksum] : json["inputs"].items())
+          {
+            const std::filesystem::path file = place_of(input);
+            if (input == study_.scene.string() || !std::filesystem::is_regular_file(file))
+              continue;
+            const auto [known, is_new] = checksums_.try_emplace(file.string());
+            if (is_new)
+              known->second = checksum_of_file(file);
+            if (checksum != known->second)
+              return false;
+          }
+        return true;
+      }
+
       /// Resolves all scenes before the first run: a misspelt axis is told at once.
       void find_open(const std::vector<Case> &cases)
       {
@@ -133,7 +163,7 @@ namespace myolines::study
           {
             const std::string scene = options_.resolve(each);
             const auto        found = known.find(each.name);
-            const bool        ended = found != known.end() && found->second.scene == scene &&
+            const bool        ended = found != known.end() && found->second.scene == scene && read_the_same_files(found->second.manifest) &&
                                std::filesystem::exists(case_folder(options_.folder, each.name)) &&
                                !(options_.retry && found->second.status != "done");
             if (!ended)
@@ -280,6 +310,8 @@ namespace myolines::study
       std::deque<Job>      open_;
       Processes            processes_;
       std::map<pid_t, Job> running_;
+
+      std::map<std::string, std::string> checksums_; ///< of files that runs read
     };
   } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #include "study_files.h"
 
+#include <myolines/base/checksum.h>
 #include <myolines/study/processes.h>
 #include <myolines/study/runner.h>
 
@@ -84,6 +85,29 @@ TEST(Runner, KnownCasesAreNotRunAgainUnlessTheyChange)
   std::filesystem::remove_all(case_folder(fake.folder_.path(), "step=3"));
   EXPECT_EQ(fake.run().n_run, 1u); // its results are gone
   EXPECT_EQ(n_runs(), 6);
+}
+
+TEST(Runner, CasesAreRunAgainWhenAFileThatTheyReadHasChanged)
+{
+  FakeProgram       fake("");
+  const std::string data = fake.folder_.write("data.csv", "0, 1\n").string(), plugin = fake.folder_.write("mine.so", "one").string();
+  const std::string scene    = (fake.folder_ / "scene.xml").string(); // whose lines may be others, as long as it resolves to the same
+  const std::string manifest = R"({"inputs": {")" + data + R"(": ")" + myolines::checksum_of_file(data) + R"(", ")" + plugin + R"(": ")" +
+                               myolines::checksum_of_file(plugin) + R"(", ")" + scene + R"(": "0"}})";
+  fake.options_.program = fake.folder_.write("reading.sh", "#!/bin/sh\necho '" + manifest + "' > \"$6/manifest.json\"\n");
+  chmod(fake.options_.program.c_str(), 0755);
+  EXPECT_EQ(fake.run().n_run, 3u);
+  EXPECT_EQ(fake.run().n_run, 0u);
+  fake.folder_.write("data.csv", "0, 2\n");
+  EXPECT_EQ(fake.run().n_run, 3u);
+  fake.folder_.write("data.csv", "0, 1\n");
+  EXPECT_EQ(fake.run().n_run, 0u);
+  std::filesystem::create_directory(fake.folder_ / "rebuilt");
+  fake.options_.plugins = {fake.folder_.write("rebuilt/mine.so", "another")};
+  EXPECT_EQ(fake.run().n_run, 3u);
+  std::filesystem::remove(data); // of a file that is gone nothing is known
+  fake.options_.plugins.clear();
+  EXPECT_EQ(fake.run().n_run, 0u);
 }
 
 TEST(Runner, AFolderOfOthersInThePlaceOfACaseIsLeftAlone)
