@@ -238,11 +238,12 @@ namespace myolines
 
       void add_compare()
       {
-        CLI::App *command = add(app, "compare", "L2 differences of the fields of two runs, on any two meshes", [this] {
-          for (const std::filesystem::path &run : {compare_.first, compare_.second})
-            load_plugins_of_run(run);
-          compare_command(compare_, out_);
-        });
+        CLI::App *command =
+            add(app, "compare", "L2 differences of the fields of two runs of a block, or of a rod, on any two of its meshes", [this] {
+              for (const std::filesystem::path &run : {compare_.first, compare_.second})
+                load_plugins_of_run(run);
+              compare_command(compare_, out_);
+            });
         command->add_option("first", compare_.first, "Output folder of a run")->required()->type_name("DIR");
         command->add_option("second", compare_.second, "Output folder of the run that it is measured against")
             ->required()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/base/checksum.h>
 #include <myolines/base/error.h>
 #include <myolines/cli/resume.h>
 #include <myolines/scene/document.h>
@@ -60,6 +61,17 @@ namespace myolines
                             "run it without --resume, in another folder (--out)"});
     if (!problems.empty())
       throw InputError(problems);
+  }
+
+  void refuse_other_mesh(const scene::Node &scene, const std::map<std::string, std::string> &inputs)
+  {
+    const scene::Node &system = scene.section("system");
+    if (system.text("type") != "muscle 3d") // whose geometry alone is of files
+      return;
+    for (const std::filesystem::path &file : system.section("geometry").files())
+      if (const auto then = inputs.find(file.string()); then != inputs.end() && then->second != checksum_of_file(file))
+        throw InputError(InputProblem{system.section("geometry").where("file"), file.string() + " has changed since the state was saved",
+                                      "the mesh of that run, as the state is of its nodes", "begin a new run with the new mesh"});
   }
 
   std::vector<std::string> changes_of_machine(const Checkpoint &checkpoint, const InstructionSet instruction_set)

@@ -119,6 +119,7 @@ namespace myolines
     {
       const CheckpointReader reader = open_checkpoint(folder);
       refuse_other_run(reader.contents().scene, scene::resolved_xml(experiment.scene()), options.scene.string());
+      refuse_other_mesh(experiment.scene(), reader.contents().inputs);
       const double t = reader.contents().state.t;
       if (t > experiment.settings().end)
         experiment.scene().section("time").refuse("end", "the run to resume has passed the end: it is at t = " + exact_text(t) + " s",

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+#include <myolines/cli/resume.h>
 #include <myolines/cli/saved_start.h>
 #include <myolines/output/checkpoint.h>
 #include <myolines/scene/document.h>
@@ -41,17 +42,17 @@ namespace myolines
       return "";
     }
 
-    /// Unknowns have another meaning where the kind of system, its mesh or its elements are others; all else may differ.
+    /// Unknowns have another meaning where the kind of system, its sizes, its mesh or its elements are others; all else may differ.
     std::string difference_of_systems(const scene::RawList &one, const scene::RawList &other)
     {
-      for (const char *list : {"geometry", "discretisation"})
+      for (const char *list : {"geometry", "discretisation", "data"})
         if (const auto *left = list_in(one, list), *right = list_in(other, list); left != nullptr || right != nullptr)
           {
             const std::string found = left == nullptr || right == nullptr ? list : difference(*left, *right);
             if (!found.empty())
               return "system/" + found;
           }
-      for (const char *name : {"type", "elements", "degree", "masses", "activation"})
+      for (const char *name : {"type", "length", "scale", "muscle", "task", "elements", "degree", "masses", "activation"})
         {
           const auto *left = scene::find_parameter(one, name), *right = scene::find_parameter(other, name);
           if ((left == nullptr) != (right == nullptr) || (left != nullptr && left->text != right->text))
@@ -86,6 +87,7 @@ namespace myolines
     if (const std::string other = its == nullptr ? "system" : difference_of_systems(*its, *ours); !other.empty())
       time.refuse(file_name, "the state is of a run with another \"" + other + "\"", "a run of the same body on the same mesh",
                   "conditions, drives and materials may be others");
+    refuse_other_mesh(scene, reader.contents().inputs);
     State state = system.initial_state(t0), read = reader.read(system).state;
     state.u.swap(read.u);
     state.v.swap(read.v);

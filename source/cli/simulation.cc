@@ -162,6 +162,7 @@ namespace myolines
   {
     const CheckpointReader reader(file);
     refuse_other_run(reader.contents().scene, scene::resolved_xml(experiment_.scene()), file.string());
+    refuse_other_mesh(experiment_.scene(), reader.contents().inputs);
     Moment moment{reader.read(experiment_.system()), {}, true};
     restore(moment);
   }

@@ -79,7 +79,12 @@ namespace myolines
       }
     const Muscle3dParameters parameters = read_muscle3d(system);
     if (parameters.geometry.gastrocnemius || parameters.geometry.mesh || parameters.geometry.distortion > 0)
-      throw InputError(InputProblem{file.string(), "the body is not a block of equal cells", "runs of blocks without distortion", ""});
+      throw InputError(
+          InputProblem{file.string(),
+                       "its body is of geometry \"" + system.section("geometry").text("type") +
+                           "\", and fields are compared on blocks of equal cells alone",
+                       "runs of a block without distortion, or of a rod",
+                       "quantities of a study compare the tables of any runs (\"column\"), and unknowns on one mesh (\"state\")"});
     WorkLedger           ledger;
     const Muscle3dSystem muscle(parameters, MPI_COMM_SELF, ledger);
     muscle_ = std::make_unique<const BlockFields>(muscle, reader.read(muscle).state);

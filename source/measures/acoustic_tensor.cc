@@ -4,6 +4,9 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace myolines
 {
   namespace
@@ -57,44 +60,61 @@ namespace myolines
           }
       return dealii::eigenvectors(Q, dealii::SymmetricTensorEigenvectorMethod::jacobi)[2].first; // accurate beside kappa
     }
+    struct Looked
+    {
+      double  value;
+      Vector3 direction;
+    };
+
+    /// Goes down from @p best by steps of shrinking length in eight directions across it.
+    double nearest_minimum(const double (&c)[81], Looked best)
+    {
+      for (double step = 0.1; step > 3e-4;)
+        {
+          const Vector3 &n = best.direction;
+          Vector3        across; // along the axis from which the direction is furthest
+          across[std::abs(n[0]) < std::abs(n[1]) ? (std::abs(n[0]) < std::abs(n[2]) ? 0 : 2) : (std::abs(n[1]) < std::abs(n[2]) ? 1 : 2)] =
+              1;
+          Vector3 first = cross_product_3d(n, across);
+          first /= first.norm();
+          const Vector3 second = cross_product_3d(n, first);
+          Looked        next   = best;
+          for (unsigned int i = 0; i < 8; ++i)
+            {
+              const double  angle = i * dealii::numbers::PI_4;
+              const Vector3 there = n + step * (std::cos(angle) * first + std::sin(angle) * second), unit = there / there.norm();
+              if (const double value = smallest_eigenvalue(c, unit); value < next.value)
+                next = {value, unit};
+            }
+          if (next.value < best.value)
+            best = next;
+          else
+            step /= 2;
+        }
+      return best.value;
+    }
   } // namespace
 
   double smallest_acoustic_eigenvalue(const Muscle3dParameters &parameters, const Activation &activation, const PointState &p)
   {
     double c[81];
     moduli(parameters, activation, p, c);
-    // Directions spread evenly over a hemisphere along a spiral, then steps of shrinking length from the best one.
-    constexpr unsigned int n_directions = 200;
-    double                 smallest     = std::numeric_limits<double>::infinity();
-    Vector3                best;
-    const auto             look = [&](const Vector3 &direction) {
-      const Vector3 n     = direction / direction.norm();
-      const double  value = smallest_eigenvalue(c, n);
-      if (!(value < smallest))
-        return false;
-      smallest = value;
-      best     = n;
-      return true;
-    };
-    const double golden = dealii::numbers::PI * (3 - std::sqrt(5.));
+    // Directions spread evenly over a hemisphere along a spiral, then steps of shrinking length from the best ones: the smallest eigenvalue
+    // has several minima, the best of the first directions need not lie beside the lowest, and where two eigenvalues cross it has edges.
+    constexpr unsigned int n_directions = 200, n_refined = 6;
+    const double           golden = dealii::numbers::PI * (3 - std::sqrt(5.));
+    std::vector<Looked>    looked;
     for (unsigned int i = 0; i < n_directions; ++i)
       {
-        const double z = (i + 0.5) / n_directions, r = std::sqrt(1 - z * z);
-        look(Vector3({r * std::cos(golden * i), r * std::sin(golden * i), z}));
+        const double  z = (i + 0.5) / n_directions, r = std::sqrt(1 - z * z);
+        const Vector3 n({r * std::cos(golden * i), r * std::sin(golden * i), z});
+        looked.push_back({smallest_eigenvalue(c, n), n});
       }
-    for (double step = 0.1; step > 1e-4;)
-      {
-        bool better = false;
-        for (unsigned int axis = 0; axis < 3; ++axis)
-          for (const double sign : {-1., 1.})
-            {
-              Vector3 shift;
-              shift[axis] = sign * step;
-              better      = look(best + shift) || better;
-            }
-        if (!better)
-          step /= 2;
-      }
+    std::partial_sort(looked.begin(), looked.begin() + n_refined, looked.end(),
+                      [](const Looked &one, const Looked &other) { return one.value < other.value; });
+    double smallest = looked.front().value;
+    for (unsigned int i = 0; i < n_refined; ++i)
+      smallest = std::min(smallest, nearest_minimum(c, looked[i]));
     return smallest;
   }
 } // namespace myolines

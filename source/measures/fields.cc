@@ -11,6 +11,7 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_out_faces.h>
+#include <deal.II/numerics/data_postprocessor.h>
 
 #include <algorithm>
 #include <cctype>
@@ -120,6 +121,37 @@ namespace myolines
       return n;
     }
 
+    using Tensor                         = dealii::SymmetricTensor<2, 3>;
+    constexpr unsigned int n_of_a_tensor = Tensor::n_independent_components;
+
+    /// Principal directions of a tensor field at the very points that are written: those of nodes have no sense, and what lies between two
+    /// nodes would be the mean of opposite ones.
+    class Directions : public dealii::DataPostprocessorVector<3>
+    {
+    public:
+      Directions(const std::string &name, const unsigned int which)
+        : dealii::DataPostprocessorVector<3>(name, dealii::update_values)
+        , which_(which)
+      {}
+
+      void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<3> &inputs,
+                                 std::vector<dealii::Vector<double>>              &directions) const override
+      {
+        for (unsigned int q = 0; q < directions.size(); ++q)
+          {
+            Tensor tensor;
+            for (unsigned int i = 0; i < n_of_a_tensor; ++i)
+              tensor.access_raw_entry(i) = inputs.solution_values[q](i);
+            const Vector3 direction = principal_direction(tensor, which_);
+            for (unsigned int c = 0; c < 3; ++c)
+              directions[q](c) = direction[c];
+          }
+      }
+
+    private:
+      const unsigned int which_; ///< 0: of the largest value
+    };
+
     /// The patches of some fields at an instant, and what they borrow. @p Out: DataOut<3> or SurfaceOut.
     template <typename Out>
     class FieldPatches
@@ -130,11 +162,14 @@ namespace myolines
         , vectors_(space_.nodes().get_triangulation())
         , point_scalars_(space_.nodes().get_triangulation())
         , point_vectors_(space_.nodes().get_triangulation())
+        , point_tensors_(space_.nodes().get_triangulation())
       {
         vectors_.distribute_dofs(dealii::FESystem<3>(dealii::FE_Q<3>(space_.degree()), 3));
         const dealii::FE_DGQ<3> at_points(std::max(1u, space_.degree() - 1));
         point_scalars_.distribute_dofs(dealii::FESystem<3>(at_points, 1));
         point_vectors_.distribute_dofs(dealii::FESystem<3>(at_points, 3));
+        if (std::any_of(fields.begin(), fields.end(), [](const std::string &name) { return find_principal_field(name) != nullptr; }))
+          point_tensors_.distribute_dofs(dealii::FESystem<3>(at_points, n_of_a_tensor));
         const std::vector<PointField> of_laws = law_fields(system.parameters());
         for (const std::string &name : fields)
           if (const PointField *field = find_point_field(name, of_laws))
@@ -143,7 +178,7 @@ namespace myolines
               add(name, field->n_components, target, project(system, state, field->value, target));
             }
           else if (const PrincipalField *principal = find_principal_field(name))
-            add(name, 3, point_vectors_, project_direction(system, state, *principal));
+            add_directions(name, system, state, *principal);
           else
             add(name, 3, vectors_, to_vector_element(space_, name == "displacement" ? state.u : state.v, vectors_));
       }
@@ -151,40 +186,19 @@ namespace myolines
       Out out;
 
     private:
-      Vector project_direction(const Muscle3dSystem &system, const State &state, const PrincipalField &field) const
+      void add_directions(const std::string &name, const Muscle3dSystem &system, const State &state, const PrincipalField &field)
       {
-        using Tensor             = dealii::SymmetricTensor<2, 3>;
-        constexpr unsigned int n = Tensor::n_independent_components;
-        dealii::DoFHandler<3>  tensors(point_vectors_.get_triangulation());
-        tensors.distribute_dofs(dealii::FESystem<3>(point_vectors_.get_fe().base_element(0), n));
         const auto components = [&field](const Muscle3dParameters &parameters, const Activation &activation, const PointState &p) {
-          const Matrix3         tensor = field.tensor(parameters, activation, p);
-          std::array<double, n> values;
-          for (unsigned int i = 0; i < n; ++i)
+          const Matrix3                     tensor = field.tensor(parameters, activation, p);
+          std::array<double, n_of_a_tensor> values;
+          for (unsigned int i = 0; i < n_of_a_tensor; ++i)
             values[i] = tensor[Tensor::unrolled_to_component_indices(i)];
           return values;
         };
-        const Vector projected = project(system, state, components, tensors);
-        Vector       values(point_vectors_.locally_owned_dofs(), point_vectors_.locally_owned_dofs(), point_vectors_.get_communicator());
-        const dealii::FiniteElement<3>              &fe = point_vectors_.get_fe();
-        std::vector<dealii::types::global_dof_index> from(tensors.get_fe().n_dofs_per_cell()), to(fe.n_dofs_per_cell());
-        auto                                         there = tensors.begin_active();
-        for (auto cell = point_vectors_.begin_active(); cell != point_vectors_.end(); ++cell, ++there)
-          if (cell->is_locally_owned())
-            {
-              there->get_dof_indices(from);
-              cell->get_dof_indices(to);
-              for (unsigned int node = 0; node < fe.base_element(0).n_dofs_per_cell(); ++node)
-                {
-                  Tensor tensor;
-                  for (unsigned int i = 0; i < n; ++i)
-                    tensor.access_raw_entry(i) = projected(from[tensors.get_fe().component_to_system_index(i, node)]);
-                  const Vector3 direction = principal_direction(tensor, field.which);
-                  for (unsigned int c = 0; c < 3; ++c)
-                    values(to[fe.component_to_system_index(c, node)]) = direction[c];
-                }
-            }
-        return values;
+        data_.push_back(std::make_unique<Vector>(project(system, state, components, point_tensors_)));
+        data_.back()->update_ghost_values();
+        directions_.push_back(std::make_unique<Directions>(field_label(name), field.which));
+        out.add_data_vector(point_tensors_, *data_.back(), *directions_.back());
       }
 
       void add(const std::string &name, const unsigned int n_components, const dealii::DoFHandler<3> &handler, Vector x)
@@ -197,9 +211,10 @@ namespace myolines
                             std::vector<Kind>(n_components, kind));
       }
 
-      const NodeSpace                     &space_;
-      dealii::DoFHandler<3>                vectors_, point_scalars_, point_vectors_;
-      std::vector<std::unique_ptr<Vector>> data_;
+      const NodeSpace                         &space_;
+      dealii::DoFHandler<3>                    vectors_, point_scalars_, point_vectors_, point_tensors_;
+      std::vector<std::unique_ptr<Vector>>     data_;
+      std::vector<std::unique_ptr<Directions>> directions_;
     };
 
     std::string number_of_file(const std::string &before, const unsigned int number, const std::string &after)

@@ -25,8 +25,8 @@ namespace myolines
   /// Of each law of the tissues of a body, the size of its Cauchy stress [Pa].
   std::vector<PointField> law_fields(const Muscle3dParameters &parameters);
 
-  /// A principal direction of a symmetric tensor that lives at quadrature points. The tensor is projected, and then has directions: those
-  /// of the points have no sense, so that their mean would mean nothing.
+  /// A principal direction of a symmetric tensor that lives at quadrature points. The tensor is projected, and has directions where they
+  /// are written: those of the points have no sense, so that their mean would mean nothing.
   struct PrincipalField
   {
     std::string                                                                                name;

@@ -166,6 +166,24 @@ namespace myolines
       return schema;
     }
 
+    double initial_stretch(const Muscle1dParameters &p, const OptimalLengths &optimal, const double t, const Node &system)
+    {
+      try
+        {
+          return p.balanced_stretch(t);
+        }
+      catch (const SolveError &)
+        {
+          const auto metres = [](const double length) { return scene::format_number(length) + " m"; };
+          throw InputError(InputProblem{system.where("input"),
+                                        "in a unit of " + metres(p.tendon->unit_length->value(t, Side::right)) +
+                                            ", its length at the start, muscle and tendon balance at no length of the muscle",
+                                        "a length that gives the muscle 0.4 to 1.7 of its optimal length, " + metres(optimal.muscle) +
+                                            ", beside a tendon of " + metres(optimal.tendon),
+                                        "the lengths of \"data\" and \"scale\" belong to those of \"input\""});
+        }
+    }
+
     Muscle1dParameters read_common(const Node &system)
     {
       const MuscleData     data    = read_data(system);
@@ -195,7 +213,7 @@ namespace myolines
                                             : zajac.steady(input.excitation->value(t, Side::right));
         return balanced_length(optimal, L, a, L * ratio) / optimal.muscle;
       };
-      p.initial_stretch = p.balanced_stretch(reference_time(input));
+      p.initial_stretch = initial_stretch(p, optimal, reference_time(input), system);
       return p;
     }
   } // namespace

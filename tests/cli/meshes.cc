@@ -118,6 +118,24 @@ namespace meshes_by_the_program
     EXPECT_NE(held.out.find("line of action: from right to left, direction (-1 0 0), length 0.03 m"), std::string::npos) << held.out;
   }
 
+  /// A state is one of the nodes of its mesh, whose file may keep its name.
+  TEST_F(Meshes, StatesOfAnotherMeshAreRefused)
+  {
+    const std::string text = scene(ends, fixed("left"));
+    ASSERT_EQ(run("run", text, "--out r --quiet").exit_code, 0);
+    const std::string saved = "--set \"time/start state=saved\" --set \"time/saved state=r/checkpoint\" --set time/end=0.04";
+    EXPECT_EQ(run("check", text, saved).exit_code, 0);
+    EXPECT_EQ(run("run", text, "--out r --resume --quiet --set time/end=0.03").exit_code, 0);
+    std::string moved = bare;
+    moved.replace(moved.find("2 15 0 0"), 8, "2 14 0 0");
+    folder_.write("bare.msh", moved);
+    for (const Outcome &refused : {run("check", text, saved), run("run", text, "--out r --resume --set time/end=0.04")})
+      {
+        EXPECT_EQ(refused.exit_code, 2);
+        EXPECT_NE(refused.err.find("bare.msh has changed since the state was saved"), std::string::npos) << refused.err;
+      }
+  }
+
   TEST_F(Meshes, WrittenMeshesAreTheSameBody)
   {
     const auto facts = [](const std::string &told) {

@@ -36,6 +36,16 @@ TEST(OneDimensional, unitsWriteTheirSeries)
     }
 }
 
+TEST(OneDimensional, unitsThatNoLengthBalancesAreRefused)
+{
+  const TestFolder folder;
+  const Outcome    refused = run_program(folder, "check " + myolines::test::source_folder() +
+                                                     "/input/one_dimensional/muscle_tendon_unit.xml --set system/input/base=2");
+  EXPECT_EQ(refused.exit_code, 2);
+  for (const char *part : {"muscle_tendon_unit.xml: system/input: ", "balance at no length of the muscle", "expected: ", "hint: "})
+    EXPECT_NE(refused.err.find(part), std::string::npos) << part << " in " << refused.err;
+}
+
 TEST(OneDimensional, chainsWriteStretchesAndEquilibria)
 {
   const TestFolder folder;

@@ -110,6 +110,36 @@ TEST(Fields, TensorsAreThoseOfAnAffineMotion)
     }
 }
 
+/// At every point that is written, between the nodes of the projection, too, and in the middle of a state that is not homogeneous.
+TEST(Fields, DirectionsAreThoseOfTheTensorWrittenThere)
+{
+  const TestFolder folder;
+  folder.write("scene.xml", muscle_scene);
+  std::string what = "displacement, principal green strain direction 1, principal green strain direction 2";
+  for (const char *component : {"xx", "yy", "zz", "xy", "yz", "zx"})
+    what += std::string(", green strain ") + component;
+  ASSERT_EQ(run_program(folder, "run scene.xml --quiet --out run --set system/discretisation/degree=3 --set \"system/discretisation/"
+                                "quadrature points=4\" --set time/start=0 --set \"output/fields/what=" +
+                                    what + "\"")
+                .exit_code,
+            0);
+  const pictures::RunFields fields(folder / "run");
+  const pictures::Body      body  = fields.read(fields.size() - 1);
+  std::size_t               apart = 0;
+  for (std::size_t p = 0; p < body.rest.size(); ++p)
+    for (const char *which : {"1", "2"})
+      {
+        const auto          e = [&](const char *component) { return at(body, std::string("green strain ") + component, p); };
+        const pictures::Vec d = vector_at(body, std::string("principal green strain direction ") + which, p),
+                            strained({e("xx") * d[0] + e("xy") * d[1] + e("zx") * d[2], e("xy") * d[0] + e("yy") * d[1] + e("yz") * d[2],
+                                      e("zx") * d[0] + e("yz") * d[1] + e("zz") * d[2]});
+        EXPECT_NEAR((strained - (strained * d) * d).norm(), 0, 1e-5) << p;
+        EXPECT_LT(std::abs(d.norm() * (d.norm() - 1)), 1e-6) << p << ": of length one, or none where two values are the same";
+        apart += d.norm() > 0.5;
+      }
+  EXPECT_GT(apart, body.rest.size());
+}
+
 TEST(Fields, OfAStateWithoutStrainHaveNoPrincipalDirections)
 {
   const TestFolder folder;

@@ -69,6 +69,11 @@ TEST(SavedStart, RefusesOtherBodiesAndWhatIsNotLookedAt)
   EXPECT_NE(refusal("scene.xml --set system/geometry/refinement=1" + state).find("another \"system/geometry/refinement\""),
             std::string::npos);
   EXPECT_NE(refusal("oscillation.xml" + state).find("another \"system/"), std::string::npos);
+  const std::string rod = myolines::test::source_folder() + "/input/rod_linear.xml --set \"time/start velocity=consistent\" ";
+  ASSERT_EQ(run_program(folder, "run " + rod + "--quiet --out rod --set time/end=0.001 --set time/step=0.0005").exit_code, 0);
+  const std::string stretched_rod = from_saved + "rod/checkpoint\"";
+  EXPECT_EQ(run_program(folder, "check " + rod + stretched_rod).exit_code, 0);
+  EXPECT_NE(refusal(rod + "--set system/length=0.05" + stretched_rod).find("another \"system/length\""), std::string::npos);
   EXPECT_NE(refusal("scene.xml --set \"time/start state=saved\"").find("no \"saved state\""), std::string::npos);
   EXPECT_NE(refusal("scene.xml --set \"time/saved state=held/checkpoint\"").find("not looked at"), std::string::npos);
   EXPECT_NE(refusal("scene.xml --set \"time/start velocity=impulse\"" + state).find("has its velocities"), std::string::npos);

@@ -5,6 +5,8 @@
 #include <myolines/measures/acoustic_tensor.h>
 #include <myolines/muscle3d/point_states.h>
 
+#include <deal.II/physics/transformations.h>
+
 #include <gtest/gtest.h>
 
 namespace myolines
@@ -109,6 +111,33 @@ namespace myolines
       p.curves      = nullptr;
       EXPECT_LT(smallest_acoustic_eigenvalue(p, full, at_rest(p, F)), 0);
       EXPECT_GT(smallest_acoustic_eigenvalue(p, none, at_rest(p, F)), 0);
+    }
+
+    /// Turned with its state a body has the same eigenvalue; sheared states of an active muscle have several minima over the directions.
+    TEST(AcousticTensor, DoesNotDependOnTheFrame)
+    {
+      Muscle3dParameters p = test::small_block();
+      p.dynamic            = false;
+      p.curves             = nullptr;
+      Activation full;
+      full.level[0] = 1;
+      for (unsigned int state = 0; state < 24; ++state)
+        {
+          const auto    part = [state](const unsigned int i) { return 0.35 * std::sin(1 + 2.3 * i + 1.7 * state); };
+          const Matrix3 F({{1 + part(0), part(1), part(2)}, {part(3), 1 + part(4), part(5)}, {part(6), part(7), 1 + part(8)}});
+          ASSERT_GT(determinant(F), 0.1);
+          p.muscle().fibre.direction = {{1, 0, 0}};
+          const double lies          = smallest_acoustic_eigenvalue(p, full, at_rest(p, F));
+          for (const double angle : {0.3, 1.1, 2.6})
+            {
+              const Matrix3 R = dealii::Physics::Transformations::Rotations::rotation_matrix_3d(
+                  dealii::Point<3>(dealii::Point<3>(1, 2, -0.5) / dealii::Point<3>(1, 2, -0.5).norm()), angle);
+              const Vector3 a            = R * Vector3({1, 0, 0});
+              p.muscle().fibre.direction = {{a[0], a[1], a[2]}};
+              const double turned        = smallest_acoustic_eigenvalue(p, full, at_rest(p, R * F * transpose(R)));
+              EXPECT_NEAR(turned, lies, 1e-4 * (std::abs(lies) + 1e3)) << state << " " << angle;
+            }
+        }
     }
   } // namespace
 } // namespace myolines
