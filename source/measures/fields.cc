@@ -124,7 +124,7 @@ namespace myolines
     using Tensor                         = dealii::SymmetricTensor<2, 3>;
     constexpr unsigned int n_of_a_tensor = Tensor::n_independent_components;
 
-    /// Principal directions of a tensor field at the very points that are written: those of nodes have no sense, and what lies between two
+    /// Principal directions of a tensor field at the points that are written: those of nodes have no sense, and what lies between two
     /// nodes would be the mean of opposite ones.
     class Directions : public dealii::DataPostprocessorVector<3>
     {
