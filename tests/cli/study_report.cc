@@ -46,9 +46,9 @@ TEST(StudyReport, TellsWhatWasAskedAndHowGoodItIs)
   for (const char *part :
        {"Costs &lt;of&gt; it", "axis: method", "euler, sdirk2, explicit", "0.1, 0.05 s", "8 cases: 6 done, 2 failed",
         "is the difference from the exact solution cos(t).", "Errors are differences from a reference run, with integrator/type=sdirk3",
-        "in place of method, step", "The reference and its cross check", "differ by state", "smaller errors mean nothing",
-        "Cost at equal error: error in u = 0.02", "All cases", "What has no value, and why", "stable step",
-        "As in the manifest of the case"})
+        "in place of method, step", "The reference and its cross check",
+        "differ by error in u [m] = ", ", state = ", "smaller errors mean nothing", "Cost at equal error: error in u = 0.02", "All cases",
+        "What has no value, and why", "stable step", "As in the manifest of the case"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   const auto table = myolines::scene::read_csv(folder / "r/study.csv");
   for (const auto &row : table.value().rows)
