@@ -201,15 +201,14 @@ namespace myolines
       throw InputError(InputProblem{where, "\"" + file.filename().string() + "\" is no name of a plug-in",
                                     std::string("NAME.so, NAME of ") + what_a_name_is, ""});
     const std::filesystem::path whole = std::filesystem::absolute(file); // without a slash the loader would look elsewhere
-    const std::string           at = where + ": " + whole.string(), content = content_of(whole, at);
-    if (const Plugin *other = find_loaded(name))
-      {
-        std::error_code gone;
-        if (std::filesystem::equivalent(whole, other->file, gone))
-          return;
-        throw InputError(InputProblem{at, "there is a plug-in \"" + name + "\" already, of the file " + other->file.string(),
-                                      "one file of each name", "leave one of them out, or give it another name in CMakeLists.txt"});
-      }
+    const Plugin *const         other = find_loaded(name);
+    std::error_code             gone;
+    if (other != nullptr && std::filesystem::equivalent(whole, other->file, gone))
+      return;
+    const std::string at = where + ": " + whole.string(), content = content_of(whole, at);
+    if (other != nullptr)
+      throw InputError(InputProblem{at, "there is a plug-in \"" + name + "\" already, of the file " + other->file.string(),
+                                    "one file of each name", "leave one of them out, or give it another name in CMakeLists.txt"});
     require_same_build(content, name, at);
     require_whole_file(content, name, at);
     const PluginEntries entries = entries_of(whole, name, at);

@@ -57,6 +57,8 @@ grep -q '"integrator rho bathe"' run/manifest.json || fail "the manifest does no
 
 if [ -d "$prefix/lib/python3/dist-packages/myolines" ]; then
   python=$(sed -n 's/^_Python_EXECUTABLE:INTERNAL=//p' "$1/CMakeCache.txt")
+  MYOLINES_PLUGIN_PATH=$PWD/build PYTHONPATH=$prefix/lib/python3/dist-packages "$python" -B -c \
+    'import myolines; myolines.Simulation("template.xml").advance(1)' || fail "Python does not load it"
   PYTHONPATH=$prefix/lib/python3/dist-packages "$python" -B -c 'import myolines; myolines.Simulation("template.xml").advance(1)' ||
     fail "Python does not load it from the folder of the installation"
 fi

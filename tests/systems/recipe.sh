@@ -30,7 +30,7 @@ fi
 begin "the recipe"
 rm -rf "$folder/sources" && mkdir "$folder/sources"
 git -C "$repository" archive HEAD | tar -x -C "$folder/sources"
-"${storage[@]}" bud --isolation chroot --pull-never --build-arg "DEBIAN=$release" -t myolines ${CCACHE_DIR:+-v "$CCACHE_DIR:/root/.cache/ccache" --env LANG=C.UTF-8} \
+"${storage[@]}" bud --isolation chroot --pull-never --build-arg "DEBIAN=$release" -t myolines ${CCACHE_DIR:+-v "$CCACHE_DIR:/root/.cache/ccache"} \
   ${MYOLINES_JOBS:+--env "MYOLINES_JOBS=$MYOLINES_JOBS"} "$folder/sources"
 
 begin "the container"
